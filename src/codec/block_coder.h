@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "unstep/bitmap.h"
+#include "unstep/codec.h"
+#include "unstep/grid.h"
+#include "unstep/result.h"
+
+/// What the container and the coders of one block agree on. The container
+/// knows nothing of a payload but these names and functions.
+namespace unstep::codec {
+
+/// Names a payload's coder so that models can improve while old files stay
+/// readable.
+struct CoderName {
+  std::uint8_t coder = 0;
+  std::uint8_t revision = 0;
+  std::uint8_t table = 0;
+  friend bool operator==(const CoderName&, const CoderName&) = default;
+};
+
+/// Coder ids, docs/format.md.
+inline constexpr std::uint8_t kCoderStored = 0;    ///< packed rows, deflated
+inline constexpr std::uint8_t kCoderContours = 1;  ///< contours, mixed models
+inline constexpr std::uint8_t kCoderChains = 16;   ///< chains, mixed models
+
+struct EncodedBlock {
+  CoderName name;
+  std::vector<std::uint8_t> payload;
+};
+
+/// Called now and then with the rows (or chains) done so far; false cancels.
+using BlockProgress = std::function<bool(std::uint64_t done)>;
+
+/// Encodes rows [first_row, first_row + rows) of `ink`.
+Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
+                                std::int32_t rows,
+                                const BlockProgress& progress);
+
+/// Decodes into those rows of `ink`, which must be all paper. Every payload
+/// byte must be consumed. After a failure the rows hold anything.
+Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
+                  Bitmap& ink, std::int32_t first_row, std::int32_t rows,
+                  const DecodeLimits& limits, const BlockProgress& progress);
+
+/// Encodes chains in their order. REQUIRES: valid chains (grid.h).
+Result<EncodedBlock> encode_chains(std::span<const Chain> chains,
+                                   const BlockProgress& progress);
+
+/// Decodes exactly `count` chains of `steps` steps in all; both were checked
+/// against the limits by the caller.
+Result<std::vector<Chain>> decode_chains(const CoderName& name,
+                                         std::span<const std::uint8_t> payload,
+                                         std::uint64_t count,
+                                         std::uint64_t steps,
+                                         const DecodeLimits& limits,
+                                         const BlockProgress& progress);
+
+}  // namespace unstep::codec

@@ -1,0 +1,79 @@
+#include "unstep/bitmap.h"
+
+#include <zlib.h>
+
+#include <bit>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace unstep {
+
+Result<Bitmap> Bitmap::create(std::int64_t width, std::int64_t height) {
+  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide) {
+    return Error{ErrorCode::out_of_range,
+                 "raster of " + std::to_string(width) + " x " +
+                     std::to_string(height) + " pixels; sides are 1 to " +
+                     std::to_string(kMaxSide)};
+  }
+  Bitmap bitmap;
+  bitmap.width_ = static_cast<std::int32_t>(width);
+  bitmap.height_ = static_cast<std::int32_t>(height);
+  bitmap.words_per_row_ = (static_cast<std::size_t>(width) + 63) / 64;
+  try {
+    // < 2^24 words a row times < 2^30 rows: no overflow in 64 bits.
+    bitmap.words_.resize(bitmap.words_per_row_ *
+                         static_cast<std::size_t>(height));
+  } catch (const std::exception&) {  // bad_alloc or length_error
+    return Error{ErrorCode::limit_exceeded,
+                 "no memory for a raster of " + std::to_string(width) + " x " +
+                     std::to_string(height) + " pixels"};
+  }
+  return bitmap;
+}
+
+void Bitmap::set_row_bytes(std::int32_t y, std::span<const std::uint8_t> bytes,
+                           bool invert) {
+  const std::span<std::uint64_t> words = row(y);
+  const std::uint64_t flip = invert ? ~std::uint64_t{0} : 0;
+  std::size_t i = 0;
+  for (std::uint64_t& word : words) {
+    std::uint64_t bits = 0;
+    for (int k = 56; k >= 0 && i < bytes.size(); k -= 8) {
+      bits |= std::uint64_t{bytes[i++]} << k;
+    }
+    word = bits ^ flip;
+  }
+  words.back() &= last_word_mask();
+}
+
+void Bitmap::get_row_bytes(std::int32_t y, std::span<std::uint8_t> bytes,
+                           bool invert) const {
+  const std::span<const std::uint64_t> words = row(y);
+  const std::uint64_t flip = invert ? ~std::uint64_t{0} : 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::uint64_t word = words[i / 8] ^ flip;
+    if (i / 8 + 1 == words.size()) word &= last_word_mask();
+    bytes[i] = static_cast<std::uint8_t>(word >> (56 - i % 8 * 8));
+  }
+}
+
+std::uint32_t Bitmap::crc32() const {
+  std::vector<std::uint8_t> bytes((static_cast<std::size_t>(width_) + 7) / 8);
+  uLong crc = ::crc32(0L, nullptr, 0);
+  for (std::int32_t y = 0; y < height_; ++y) {
+    get_row_bytes(y, bytes, false);
+    crc = ::crc32_z(crc, bytes.data(), bytes.size());
+  }
+  return static_cast<std::uint32_t>(crc);
+}
+
+std::uint64_t Bitmap::ink() const {
+  std::uint64_t count = 0;
+  for (const std::uint64_t word : words_) {
+    count += static_cast<std::uint64_t>(std::popcount(word));
+  }
+  return count;
+}
+
+}  // namespace unstep

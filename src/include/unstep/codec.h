@@ -1,0 +1,166 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "unstep/bitmap.h"
+#include "unstep/grid.h"
+#include "unstep/result.h"
+
+/// The .ustp file: pages of bilevel ink or of unit-step chains, stored
+/// lossless. docs/format.md is the normative description.
+///
+///     UstpWriter writer({});
+///     Status added = writer.add_page(bitmap, {});
+///     Result<std::vector<std::uint8_t>> file = writer.finish();
+///
+///     Result<UstpReader> reader = UstpReader::open(*file, {});
+///     Result<Page> page = reader->read_page(0);
+namespace unstep {
+
+/// Called now and then during long calls with work done and total (same,
+/// unspecified unit). Return false to cancel: the call returns `cancelled`.
+/// May be called from a worker thread, never from two at once.
+using Progress = std::function<bool(std::uint64_t done, std::uint64_t total)>;
+
+struct Rational {
+  std::uint32_t numerator = 0;
+  std::uint32_t denominator = 1;
+  friend bool operator==(const Rational&, const Rational&) = default;
+};
+
+/// Pixels (grid units) per unit of length, exactly as the source said it.
+/// Unit none means that only the ratio x : y is known.
+struct Resolution {
+  enum class Unit : std::uint8_t { none = 0, inch = 1, centimetre = 2,
+                                   metre = 3 };
+  Rational x;  ///< numerator 0: unknown
+  Rational y;
+  Unit unit = Unit::none;
+  [[nodiscard]] bool known() const { return x.numerator != 0; }
+  friend bool operator==(const Resolution&, const Resolution&) = default;
+};
+
+/// UTF-8 key and value; keys are unique within one list.
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+struct PageInfo {
+  std::string name;  ///< UTF-8, may be empty
+  Resolution resolution;
+  Metadata metadata;  ///< of this page ("tiff:Artist", ...)
+  friend bool operator==(const PageInfo&, const PageInfo&) = default;
+};
+
+/// Hard limits of a decoder, checked before anything is allocated.
+struct DecodeLimits {
+  std::uint64_t max_pixels = std::uint64_t{1} << 32;  ///< per page
+  std::uint64_t max_steps = std::uint64_t{1} << 32;   ///< per page
+  std::uint64_t max_memory = std::uint64_t{2} << 30;  ///< bytes, whole call
+};
+
+struct EncodeOptions {
+  bool verify = true;  ///< decode every block and compare before success
+  int bands = 0;       ///< per raster page; 0: one, more above 64 Mpx
+  int jobs = 1;        ///< threads; the bytes never depend on it
+  Metadata metadata;   ///< of the file
+  Progress progress;
+};
+
+struct DecodeOptions {
+  DecodeLimits limits;
+  int jobs = 1;
+  Progress progress;
+};
+
+enum class PageKind : std::uint8_t { ink = 0, chains = 1 };
+
+/// What the file says of a page, known without decoding its payload.
+struct PageEntry {
+  PageKind kind = PageKind::ink;
+  Canvas canvas;  ///< pixels of an ink page
+  PageInfo info;
+  std::uint32_t checksum = 0;  ///< CRC-32 of the decoded page (format.md)
+  struct Block {
+    std::uint64_t offset = 0;     ///< of the payload, from the file's start
+    std::uint64_t bytes = 0;      ///< of the payload
+    std::int32_t first_row = 0;   ///< ink: the band's rows
+    std::int32_t rows = 0;
+    std::uint64_t chains = 0;     ///< chains: how many
+    std::uint64_t steps = 0;
+    std::uint8_t coder = 0;       ///< coder id, format.md
+    std::uint8_t revision = 0;    ///< model revision
+    std::uint8_t table = 0;       ///< warm-start table, 0 = none
+  };
+  std::vector<Block> blocks;
+};
+
+struct FileInfo {
+  enum class Form : std::uint8_t { short_form, block_form };
+  Form form = Form::short_form;
+  std::uint8_t version = 0;  ///< 0: pre-release format
+  Metadata metadata;
+  std::vector<PageEntry> pages;
+};
+
+/// A decoded page: `ink` for PageKind::ink, `drawing.chains` otherwise.
+struct Page {
+  PageKind kind = PageKind::ink;
+  PageInfo info;
+  Bitmap ink;
+  Drawing drawing;
+};
+
+/// Collects pages and makes the file. After a failed call only destruction is
+/// allowed. Not for use from two threads at once; several writers are.
+class UstpWriter {
+ public:
+  explicit UstpWriter(EncodeOptions options);
+  ~UstpWriter();
+  UstpWriter(UstpWriter&&) noexcept;
+  UstpWriter& operator=(UstpWriter&&) noexcept;
+
+  /// Encodes a raster page (and proves it, if options.verify).
+  /// internal if the proof failed: the file must not be used.
+  Status add_page(const Bitmap& ink, const PageInfo& info);
+
+  /// Encodes the chains of a drawing, step for step, in their order.
+  /// invalid_argument if the drawing has paths or an invalid chain.
+  Status add_page(const Drawing& drawing, const PageInfo& info);
+
+  /// The whole file. invalid_argument if there is no page.
+  Result<std::vector<std::uint8_t>> finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Reads a file held in memory. Nothing of the bytes is trusted.
+class UstpReader {
+ public:
+  /// Parses structure and checks block CRCs; decodes no payload. `file` must
+  /// outlive the reader.
+  static Result<UstpReader> open(std::span<const std::uint8_t> file,
+                                 DecodeOptions options);
+  ~UstpReader();
+  UstpReader(UstpReader&&) noexcept;
+  UstpReader& operator=(UstpReader&&) noexcept;
+
+  [[nodiscard]] const FileInfo& info() const;
+
+  /// Decodes a page and checks it against its checksum. out_of_range if there
+  /// is no such page. The reader stays usable after a failure.
+  Result<Page> read_page(std::size_t index) const;
+
+ private:
+  struct Impl;
+  explicit UstpReader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace unstep

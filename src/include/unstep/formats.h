@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "unstep/bitmap.h"
+#include "unstep/codec.h"
+#include "unstep/grid.h"
+#include "unstep/result.h"
+
+/// Foreign files: raster images and Freeman chain text.
+namespace unstep {
+
+/// How grey and colour pixels become ink. Two-valued files never need it.
+struct Threshold {
+  enum class Kind : std::uint8_t { none, fixed, otsu };
+  Kind kind = Kind::none;
+  int level = 128;  ///< fixed: luminance < level is ink, 1..255
+};
+
+struct RasterReadOptions {
+  Threshold threshold;
+  DecodeLimits limits;
+};
+
+/// One page of a raster file, as ink.
+struct RasterPage {
+  Bitmap ink;
+  PageInfo info;
+  bool lossless = true;  ///< false: grey or colour pixels were thresholded
+  /// One line each: what of the source is not kept, what was decided.
+  std::vector<std::string> notes;
+};
+
+/// Reads PBM/PGM, PNG, TIFF, BMP and JPEG from memory. Bilevel data stays
+/// packed. PBM, PGM, PNG and TIFF never load the OpenCV module.
+///
+///     Result<RasterReader> file = RasterReader::open(std::move(bytes), {});
+///     for (std::size_t i = 0; i < file->page_count(); ++i) file->read(i);
+class RasterReader {
+ public:
+  /// Recognises the format by content. bad_magic if none fits.
+  static Result<RasterReader> open(std::vector<std::uint8_t> bytes,
+                                   RasterReadOptions options);
+  ~RasterReader();
+  RasterReader(RasterReader&&) noexcept;
+  RasterReader& operator=(RasterReader&&) noexcept;
+
+  [[nodiscard]] std::size_t page_count() const;
+  [[nodiscard]] std::string_view format() const;  ///< "pbm", "png", ...
+
+  /// invalid_argument, naming --threshold, if the page has more than two
+  /// values and no threshold was given.
+  Result<RasterPage> read(std::size_t page);
+
+ private:
+  struct Impl;
+  explicit RasterReader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+enum class RasterFormat : std::uint8_t { pbm, png, tiff };
+
+/// Writes pages to one raster file in memory. PBM (P4, several pages are
+/// concatenated as netpbm allows), PNG (1 bit, one page), TIFF (G4, several).
+class RasterWriter {
+ public:
+  static Result<RasterWriter> create(RasterFormat format);
+  ~RasterWriter();
+  RasterWriter(RasterWriter&&) noexcept;
+  RasterWriter& operator=(RasterWriter&&) noexcept;
+
+  /// Adds notes (what the format cannot carry) to `notes` if not null.
+  /// invalid_argument for a second PNG page.
+  Status add_page(const Bitmap& ink, const PageInfo& info,
+                  std::vector<std::string>* notes);
+  Result<std::vector<std::uint8_t>> finish();
+
+ private:
+  struct Impl;
+  explicit RasterWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Freeman chain text (docs/freeman.md): many chains, 4- or 8-connected, open
+/// or closed, comments. Errors name line and column.
+Result<Drawing> parse_freeman(std::string_view text,
+                              const DecodeLimits& limits);
+std::string write_freeman(const Drawing& drawing);
+
+/// Whole files. "-" is stdin or stdout. Errors are io_error (with the system's
+/// reason), limit_exceeded or output_exists; messages do not repeat the path.
+Result<std::vector<std::uint8_t>> read_file(const std::string& path,
+                                            std::uint64_t max_bytes);
+
+/// Writes to a temporary file in the same folder, syncs, renames. Nothing is
+/// left behind on failure. Refuses an existing path unless `overwrite`.
+Status write_file(const std::string& path, std::span<const std::uint8_t> bytes,
+                  bool overwrite);
+
+}  // namespace unstep

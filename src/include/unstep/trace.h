@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "unstep/bitmap.h"
+#include "unstep/grid.h"
+#include "unstep/result.h"
+
+/// Ink to contours and back.
+namespace unstep {
+
+/// Called for each contour; return false to stop.
+using ContourVisitor = std::function<bool(const Chain& contour)>;
+
+/// Visits every contour of the ink once, outer and hole: the closed
+/// 4-connected chains on the cracks between ink and paper pixels. Pixels
+/// outside the raster are paper. Grid point (x, y), y down, is the upper left
+/// corner of pixel (x, y), so points run over 0..width by 0..height.
+///
+/// Order: by the first horizontal crack of each contour in raster order. A
+/// contour starts at the left end of that crack and goes east (outer contours
+/// are clockwise as seen, ink on the right hand; holes have paper on the
+/// right hand). At a saddle point (two ink pixels touching at a corner) ink is
+/// 8-connected: the walk keeps both ink pixels in one contour.
+///
+/// invalid_argument for an empty bitmap; cancelled if the visitor stopped.
+/// Memory: two bits per grid point besides the longest contour.
+Status trace_contours(const Bitmap& ink, const ContourVisitor& visit);
+
+/// Draws closed 4-connected chains (raster, y down) by parity fill: a pixel is
+/// ink if a ray from it crosses an odd number of vertical cracks. The inverse
+/// of trace_contours. invalid_argument if a chain is not closed or uses odd
+/// codes, out_of_range if it leaves 0..width x 0..height.
+Result<Bitmap> fill_contours(std::span<const Chain> contours,
+                             std::int32_t width, std::int32_t height);
+
+}  // namespace unstep
