@@ -1,0 +1,7 @@
+#include "unstep/unstep.h"
+
+namespace unstep {
+
+std::string_view version() { return UNSTEP_VERSION; }
+
+}  // namespace unstep
