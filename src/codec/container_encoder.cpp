@@ -1,0 +1,223 @@
+#include "codec/container_encoder.h"
+
+#include <string>
+#include <utility>
+
+#include "codec/byte_writer.h"
+#include "codec/checksum.h"
+#include "codec/metadata_encoder.h"
+#include "codec/text_rules.h"
+
+namespace unstep::codec {
+namespace {
+
+bool chains_page(const PageParts& page) {
+  return page.kind == PageKind::chains;
+}
+
+void put_coder_name(const CoderName& name, ByteWriter& out) {
+  if (name.revision <= 2 && name.table <= 1) {
+    out.u8(static_cast<std::uint8_t>(name.coder | name.revision << 5 |
+                                     name.table << 7));
+  } else {
+    out.u8(static_cast<std::uint8_t>(name.coder | 3U << 5));
+    out.u8(name.revision);
+    out.u8(name.table);
+  }
+}
+
+void put_resolution(const Resolution& resolution, ByteWriter& out) {
+  const bool square = resolution.x == resolution.y;
+  out.u8(static_cast<std::uint8_t>(static_cast<unsigned>(resolution.unit) |
+                                   (square ? 4U : 0U)));
+  out.varint(resolution.x.numerator);
+  out.varint(resolution.x.denominator);
+  if (square) return;
+  out.varint(resolution.y.numerator);
+  out.varint(resolution.y.denominator);
+}
+
+/// Page flags, canvas, resolution. `other_flags` fill bits 0-4.
+void put_page_head(const PageParts& page, std::uint8_t other_flags,
+                   ByteWriter& out) {
+  std::uint8_t flags = other_flags;
+  const bool resolution = page.info.resolution != Resolution{};
+  if (resolution) flags |= kResolutionFlag;
+  if (chains_page(page)) flags |= kChainsFlag;
+  if (page.canvas.y_axis == YAxis::up) flags |= kYUpFlag;
+  out.u8(flags);
+  out.varint(static_cast<std::uint64_t>(page.canvas.width));
+  out.varint(static_cast<std::uint64_t>(page.canvas.height));
+  if (resolution) put_resolution(page.info.resolution, out);
+}
+
+/// Type, length, content, CRC of all three.
+void put_block(std::uint8_t type, const ByteWriter& content, ByteWriter& out) {
+  ByteWriter head;
+  head.u8(type);
+  head.varint(content.size());
+  out.bytes(head.view());
+  out.bytes(content.view());
+  out.u32(crc_bytes(content.view(), crc_bytes(head.view())));
+}
+
+Status put_page(const PageParts& page, ByteWriter& out) {
+  ByteWriter content;
+  put_page_head(page, 0, content);
+  content.varint(page.info.name.size());
+  content.bytes({reinterpret_cast<const std::uint8_t*>(page.info.name.data()),
+                 page.info.name.size()});
+  if (Status put = write_metadata(page.info.metadata, content); !put) {
+    return put;
+  }
+  content.varint(page.blocks.size());
+  content.u32(page.checksum);
+  put_block(kPageBlock, content, out);
+  return {};
+}
+
+void put_payload(const PageParts& page, const BlockParts& block,
+                 ByteWriter& out) {
+  ByteWriter content;
+  put_coder_name(block.encoded.name, content);
+  if (chains_page(page)) {
+    content.varint(block.chains);
+    content.varint(block.steps);
+  } else {
+    content.varint(static_cast<std::uint64_t>(block.first_row));
+    content.varint(static_cast<std::uint64_t>(block.rows));
+  }
+  content.u32(block.checksum);
+  content.bytes(block.encoded.payload);
+  put_block(kPayloadBlock, content, out);
+}
+
+void put_box(const Box& box, ByteWriter& out) {
+  out.coordinate(box.x);
+  out.coordinate(box.y);
+  out.varint(box.width);
+  out.varint(box.height);
+}
+
+Status check_canvas(PageKind kind, const Canvas& canvas) {
+  const bool unbounded = canvas.width == 0 && canvas.height == 0;
+  const bool in_range = canvas.width >= 1 && canvas.width <= kMaxCoord &&
+                        canvas.height >= 1 && canvas.height <= kMaxCoord;
+  if (!in_range && !(unbounded && kind == PageKind::chains)) {
+    return Error{ErrorCode::out_of_range,
+                 "canvas of " + std::to_string(canvas.width) + " x " +
+                     std::to_string(canvas.height) + "; sides are 1 to " +
+                     std::to_string(kMaxCoord)};
+  }
+  return {};
+}
+
+Status check_metadata_total(std::span<const PageParts> pages,
+                            const Metadata& metadata) {
+  std::uint64_t cost = metadata_cost(metadata_bytes(metadata), metadata.size());
+  for (const PageParts& page : pages) {
+    const Metadata& list = page.info.metadata;
+    cost += metadata_cost(metadata_bytes(list), list.size());
+  }
+  if (cost > kMaxMetadataTotal) {
+    return Error{ErrorCode::limit_exceeded, "too much metadata for one file"};
+  }
+  return {};
+}
+
+}  // namespace
+
+Status check_page(PageKind kind, const Canvas& canvas, const PageInfo& info) {
+  if (Status valid = check_canvas(kind, canvas); !valid) return valid;
+  if (info.name.size() > kMaxNameBytes) {
+    return Error{ErrorCode::limit_exceeded,
+                 "page name of " + std::to_string(info.name.size()) +
+                     " bytes, at most " + std::to_string(kMaxNameBytes) +
+                     " are possible"};
+  }
+  if (!is_text(info.name)) {
+    return Error{ErrorCode::invalid_argument, "page name is not UTF-8 text"};
+  }
+  if (info.resolution.x.denominator == 0 ||
+      info.resolution.y.denominator == 0 ||
+      info.resolution.unit > Resolution::Unit::metre) {
+    return Error{ErrorCode::invalid_argument,
+                 "resolution has a zero denominator or an unknown unit"};
+  }
+  ByteWriter unused;
+  return write_metadata(info.metadata, unused);
+}
+
+bool fits_short_form(std::span<const PageParts> pages,
+                     const Metadata& metadata) {
+  return pages.size() == 1 && pages[0].blocks.size() == 1 && metadata.empty() &&
+         pages[0].info.name.empty() && pages[0].info.metadata.empty();
+}
+
+std::vector<std::uint8_t> short_form(const PageParts& page) {
+  const BlockParts& block = page.blocks[0];
+  ByteWriter head;
+  put_page_head(page, kVersion, head);
+  put_coder_name(block.encoded.name, head);
+  std::uint64_t decoded_bytes = 0;
+  if (chains_page(page)) {
+    head.varint(block.chains);
+    head.varint(block.steps);
+    decoded_bytes = chain_bytes(block.chains, block.steps);
+  } else {
+    decoded_bytes = row_bytes(page.canvas.width) *
+                    static_cast<std::uint64_t>(page.canvas.height);
+  }
+  ByteWriter out;
+  out.bytes(kSignature);
+  out.bytes(head.view());
+  out.u32(crc_join(crc_bytes(head.view()), page.checksum, decoded_bytes));
+  out.bytes(block.encoded.payload);
+  return out.take();
+}
+
+Result<std::vector<std::uint8_t>> block_form(std::span<const PageParts> pages,
+                                             const Metadata& metadata) {
+  if (Status fits = check_metadata_total(pages, metadata); !fits) {
+    return fits.error();
+  }
+  ByteWriter out;
+  out.bytes(kSignature);
+  out.u8(kVersion | kBlockFormFlag);
+
+  ByteWriter header;
+  header.u8(kFidelityExact);
+  header.varint(pages.size());
+  put_block(kHeaderBlock, header, out);
+  if (!metadata.empty()) {
+    ByteWriter content;
+    if (Status put = write_metadata(metadata, content); !put) {
+      return put.error();
+    }
+    put_block(kMetadataBlock, content, out);
+  }
+
+  ByteWriter index;
+  ByteWriter checksums;
+  index.varint(pages.size());
+  for (const PageParts& page : pages) {
+    index.varint(out.size());
+    index.varint(page.blocks.size());
+    checksums.u32(page.checksum);
+    if (Status put = put_page(page, out); !put) return put.error();
+    for (const BlockParts& block : page.blocks) {
+      index.varint(out.size());
+      put_box(block.box, index);
+      put_payload(page, block, out);
+    }
+  }
+
+  ByteWriter end;
+  end.u32(crc_bytes(checksums.view()));
+  end.u64(out.size());
+  put_block(kIndexBlock, index, out);
+  put_block(kEndBlock, end, out);
+  return out.take();
+}
+
+}  // namespace unstep::codec

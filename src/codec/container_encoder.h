@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "codec/block_coder.h"
+#include "codec/container_format.h"
+#include "unstep/codec.h"
+#include "unstep/result.h"
+
+/// Puts encoded blocks into the bytes of a file. Knows nothing of coders, so
+/// that tests can pack any payload.
+namespace unstep::codec {
+
+struct BlockParts {
+  EncodedBlock encoded;
+  std::uint32_t checksum = 0;  ///< of what the payload decodes to
+  Box box;
+  std::int32_t first_row = 0;  ///< ink
+  std::int32_t rows = 0;
+  std::uint64_t chains = 0;  ///< chains
+  std::uint64_t steps = 0;
+};
+
+struct PageParts {
+  PageKind kind = PageKind::ink;
+  Canvas canvas;
+  PageInfo info;
+  std::uint32_t checksum = 0;
+  std::vector<BlockParts> blocks;
+};
+
+/// What the format cannot hold of a page's canvas and info:
+/// invalid_argument, out_of_range or limit_exceeded.
+Status check_page(PageKind kind, const Canvas& canvas, const PageInfo& info);
+
+/// True if the short form can hold it.
+[[nodiscard]] bool fits_short_form(std::span<const PageParts> pages,
+                                   const Metadata& metadata);
+
+/// REQUIRES: fits_short_form, checked pages.
+[[nodiscard]] std::vector<std::uint8_t> short_form(const PageParts& page);
+
+/// REQUIRES: at least one page, each checked and with at least one block.
+/// Fails as write_metadata does, and with limit_exceeded if there is too much
+/// metadata in all.
+Result<std::vector<std::uint8_t>> block_form(std::span<const PageParts> pages,
+                                             const Metadata& metadata);
+
+}  // namespace unstep::codec

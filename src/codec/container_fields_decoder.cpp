@@ -1,0 +1,104 @@
+#include "codec/container_fields_decoder.h"
+
+#include <limits>
+
+#include "codec/checksum.h"
+
+namespace unstep::codec {
+namespace {
+
+constexpr std::uint64_t kMaxU32 = std::numeric_limits<std::uint32_t>::max();
+
+/// chain_bytes of two such counts, and of their sums over the blocks of any
+/// file that fits memory, stays below 2^63.
+constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 48;
+
+Rational read_rational(ByteReader& in) {
+  Rational value;
+  value.numerator =
+      static_cast<std::uint32_t>(in.varint("a resolution", kMaxU32));
+  const std::uint64_t start = in.position();
+  value.denominator =
+      static_cast<std::uint32_t>(in.varint("a resolution", kMaxU32));
+  if (value.denominator == 0) {
+    in.fail(ErrorCode::corrupt, start, "resolution with denominator 0");
+  }
+  return value;
+}
+
+Resolution read_resolution(ByteReader& in) {
+  const std::uint64_t start = in.position();
+  const std::uint8_t head = in.u8("the resolution's unit");
+  if (head > 7) {
+    in.fail(ErrorCode::corrupt, start, "unknown unit of resolution");
+  }
+  Resolution resolution;
+  resolution.unit = static_cast<Resolution::Unit>(head & 3);
+  resolution.x = read_rational(in);
+  const bool square = (head & 4) != 0;
+  resolution.y = square ? resolution.x : read_rational(in);
+  if (!square && resolution.x == resolution.y) {
+    in.fail(ErrorCode::corrupt, start, "equal resolutions are given twice");
+  }
+  if (resolution == Resolution{}) {
+    in.fail(ErrorCode::corrupt, start, "resolution that says nothing");
+  }
+  return resolution;
+}
+
+}  // namespace
+
+void read_page_head(std::uint8_t flags, ByteReader& in, PageEntry& page) {
+  const std::uint64_t start = in.position();
+  page.kind = (flags & kChainsFlag) != 0 ? PageKind::chains : PageKind::ink;
+  page.canvas.y_axis = (flags & kYUpFlag) != 0 ? YAxis::up : YAxis::down;
+  page.canvas.width =
+      static_cast<std::int32_t>(in.varint("the width", kMaxCoord));
+  page.canvas.height =
+      static_cast<std::int32_t>(in.varint("the height", kMaxCoord));
+  const bool ink = page.kind == PageKind::ink;
+  if (ink && page.canvas.y_axis == YAxis::up) {
+    in.fail(ErrorCode::corrupt, start - 1, "ink page with y up");
+  }
+  const bool empty = page.canvas.width == 0 || page.canvas.height == 0;
+  const bool unbounded = page.canvas.width == 0 && page.canvas.height == 0;
+  if (ink ? empty : empty && !unbounded) {
+    in.fail(ErrorCode::corrupt, start, "canvas with a side of 0");
+  }
+  if ((flags & kResolutionFlag) != 0) {
+    page.info.resolution = read_resolution(in);
+  }
+}
+
+void read_coder_name(ByteReader& in, PageEntry::Block& block) {
+  const std::uint64_t start = in.position();
+  const std::uint8_t packed = in.u8("the coder's name");
+  block.coder = packed & 31;
+  block.revision = packed >> 5 & 3;
+  block.table = packed >> 7;
+  if (block.revision != 3) return;
+  if (block.table != 0) {
+    in.fail(ErrorCode::corrupt, start, "long coder name with bit 7 set");
+  }
+  block.revision = in.u8("the coder's revision");
+  block.table = in.u8("the coder's table");
+  if (block.revision <= 2 && block.table <= 1) {
+    in.fail(ErrorCode::corrupt, start, "long coder name for a short one");
+  }
+}
+
+void read_chain_counts(ByteReader& in, PageEntry::Block& block) {
+  block.chains = in.varint("the number of chains", kMaxCount);
+  block.steps = in.varint("the number of steps", kMaxCount);
+}
+
+Box read_box(ByteReader& in) {
+  Box box;
+  box.x = in.coordinate("a bounding box");
+  box.y = in.coordinate("a bounding box");
+  box.width = static_cast<std::uint32_t>(in.varint("a bounding box", kMaxU32));
+  box.height = static_cast<std::uint32_t>(in.varint("a bounding box", kMaxU32));
+  return box;
+}
+
+}  // namespace unstep::codec

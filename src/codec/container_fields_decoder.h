@@ -1,0 +1,24 @@
+#pragma once
+
+#include "codec/block_coder.h"
+#include "codec/byte_reader.h"
+#include "codec/container_format.h"
+#include "unstep/codec.h"
+
+/// The fields that the short and the block form have in common. Failures
+/// stick in the ByteReader.
+namespace unstep::codec {
+
+/// Kind, canvas and resolution (docs/format.md, Page head). `flags` is the
+/// byte already read; bits 0-4 are the caller's.
+void read_page_head(std::uint8_t flags, ByteReader& in, PageEntry& page);
+
+/// Coder, revision and table.
+void read_coder_name(ByteReader& in, PageEntry::Block& block);
+
+/// How many chains and steps a payload block holds.
+void read_chain_counts(ByteReader& in, PageEntry::Block& block);
+
+Box read_box(ByteReader& in);
+
+}  // namespace unstep::codec

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "unstep/codec.h"
+
+/// Numbers of the .ustp container that both sides share. docs/format.md is the
+/// normative description; section names below are its own.
+namespace unstep::codec {
+
+/// Not ASCII, not UTF-8, and broken by a 7-bit or a text-mode transfer.
+inline constexpr std::array<std::uint8_t, 4> kSignature{0xf5, 0x55, 0x0d, 0x0a};
+
+/// The byte after the signature: version in bits 0-3, form in bit 4, the page
+/// flags of a short form in bits 5-7.
+inline constexpr std::uint8_t kVersion = 0;
+inline constexpr std::uint8_t kVersionMask = 0x0f;
+inline constexpr std::uint8_t kBlockFormFlag = 0x10;
+
+/// Page flags.
+inline constexpr std::uint8_t kResolutionFlag = 0x20;
+inline constexpr std::uint8_t kChainsFlag = 0x40;
+inline constexpr std::uint8_t kYUpFlag = 0x80;
+
+/// Block types. A set optional bit lets a reader that does not know the type
+/// skip the block.
+inline constexpr std::uint8_t kOptionalBit = 0x80;
+inline constexpr std::uint8_t kHeaderBlock = 0x01;
+inline constexpr std::uint8_t kPageBlock = 0x02;
+inline constexpr std::uint8_t kPayloadBlock = 0x03;
+inline constexpr std::uint8_t kEndBlock = 0x04;
+inline constexpr std::uint8_t kMetadataBlock = 0x81;
+inline constexpr std::uint8_t kIndexBlock = 0x82;
+
+/// The fidelity byte of the header block: every page is bit for bit, step for
+/// step what was given to the encoder.
+inline constexpr std::uint8_t kFidelityExact = 0;
+
+inline constexpr std::uint64_t kMaxNameBytes = 4096;
+inline constexpr std::uint64_t kMaxMetadataBytes = 1U << 20;  ///< one list
+inline constexpr std::uint64_t kMaxMetadataPairs = 4096;      ///< one list
+
+/// What all metadata of one file may cost together, metadata_cost of each
+/// list. Bounds the memory that opening a small hostile file can take.
+inline constexpr std::uint64_t kMaxMetadataTotal = 16U << 20;
+
+/// `bytes` before deflating, in `pairs` of key and value.
+[[nodiscard]] constexpr std::uint64_t metadata_cost(std::uint64_t bytes,
+                                                    std::uint64_t pairs) {
+  return bytes + 64 * pairs;
+}
+
+/// Above this many pixels a page is cut into bands unless told otherwise.
+inline constexpr std::uint64_t kAutoBandPixels = std::uint64_t{1} << 26;
+
+/// Where a payload block draws. Ink: its band. Chains: the smallest box of
+/// grid points that holds every visited point; one point is 0 x 0.
+struct Box {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+/// Bytes of a row of an ink page in its canonical form (PBM's).
+[[nodiscard]] constexpr std::uint64_t row_bytes(std::int32_t width) {
+  return (static_cast<std::uint64_t>(width) + 7) / 8;
+}
+
+}  // namespace unstep::codec

@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "codec/container_format.h"
+#include "unit/container_testing.h"
+#include "unstep/codec.h"
+
+namespace unstep {
+namespace {
+
+using testing::Bytes;
+using testing::open;
+using testing::random_ink;
+using testing::write_pages;
+
+void expect_round_trip(const std::vector<Bitmap>& pages,
+                       const EncodeOptions& options, const PageInfo& info,
+                       int jobs) {
+  const Bytes file = write_pages(pages, options, info);
+  const Result<UstpReader> reader = open(file, jobs);
+  ASSERT_TRUE(reader) << reader.error().message;
+  ASSERT_EQ(reader->info().pages.size(), pages.size());
+  EXPECT_EQ(reader->info().metadata, options.metadata);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const PageEntry& entry = reader->info().pages[i];
+    EXPECT_EQ(entry.checksum, pages[i].crc32());
+    EXPECT_EQ(entry.info, info);
+    EXPECT_EQ(entry.canvas.width, pages[i].width());
+    EXPECT_EQ(entry.canvas.height, pages[i].height());
+    const Result<Page> page = reader->read_page(i);
+    ASSERT_TRUE(page) << page.error().message;
+    EXPECT_EQ(page->kind, PageKind::ink);
+    EXPECT_EQ(page->info, info);
+    EXPECT_EQ(page->ink, pages[i]);
+  }
+}
+
+const PageInfo kPlain;
+const PageInfo kRich{"front \xc3\xa9",
+                     {{600, 1}, {1200, 7}, Resolution::Unit::inch},
+                     {{"tiff:Artist", "A. Drawer"}, {"empty", ""}}};
+
+TEST(ContainerInk, RoundTripsEverySmallSize) {
+  for (std::int32_t width = 1; width <= 20; ++width) {
+    for (std::int32_t height = 1; height <= 10; ++height) {
+      SCOPED_TRACE(::testing::Message() << width << " x " << height);
+      expect_round_trip({random_ink(width, height, 7)}, {}, kPlain, 1);
+    }
+  }
+}
+
+TEST(ContainerInk, RoundTripsExtremeShapes) {
+  for (const auto& [width, height] :
+       {std::pair{1, 3000}, {3000, 1}, {65, 64}, {127, 130}, {1024, 3}}) {
+    SCOPED_TRACE(::testing::Message() << width << " x " << height);
+    expect_round_trip({random_ink(width, height, 11)}, {}, kPlain, 1);
+    expect_round_trip({random_ink(width, height, 12)}, {}, kRich, 1);
+  }
+}
+
+TEST(ContainerInk, RoundTripsBandsWithoutDependingOnJobs) {
+  const Bitmap ink = random_ink(77, 61, 3);
+  for (int bands = 1; bands <= 7; ++bands) {
+    SCOPED_TRACE(bands);
+    EncodeOptions one;
+    one.bands = bands;
+    EncodeOptions four = one;
+    four.jobs = 4;
+    EXPECT_EQ(write_pages(std::vector{ink}, one),
+              write_pages(std::vector{ink}, four));
+    expect_round_trip({ink}, four, kPlain, 4);
+    expect_round_trip({ink}, one, kRich, 1);
+  }
+}
+
+TEST(ContainerInk, NeverMakesMoreBandsThanRows) {
+  EncodeOptions options;
+  options.bands = 50;
+  const Bytes file = write_pages(std::vector{random_ink(9, 5, 1)}, options);
+  const Result<UstpReader> reader = open(file);
+  ASSERT_TRUE(reader);
+  ASSERT_EQ(reader->info().pages[0].blocks.size(), 5U);
+  for (const PageEntry::Block& block : reader->info().pages[0].blocks) {
+    EXPECT_EQ(block.rows, 1);
+  }
+}
+
+TEST(ContainerInk, RoundTripsManyPagesWithMetadata) {
+  std::vector<Bitmap> pages;
+  for (unsigned i = 0; i < 12; ++i) {
+    pages.push_back(random_ink(static_cast<std::int32_t>(i * 13 + 1),
+                               static_cast<std::int32_t>(i + 1), i));
+  }
+  EncodeOptions options;
+  options.metadata = {{"title", "twelve pages"},
+                      {"note", "a\nb\t\xe2\x82\xac"}};
+  expect_round_trip(pages, options, kRich, 1);
+  options.bands = 3;
+  expect_round_trip(pages, options, kPlain, 3);
+}
+
+TEST(ContainerInk, KeepsUnusualResolutionsExactly) {
+  const std::uint32_t max = 0xffffffffU;
+  for (const Resolution& resolution :
+       {Resolution{{max, max - 1}, {1, max}, Resolution::Unit::metre},
+        Resolution{{204, 1}, {98, 1}, Resolution::Unit::inch},
+        Resolution{{3, 1}, {2, 1}, Resolution::Unit::none},
+        Resolution{{0, 1}, {0, 1}, Resolution::Unit::centimetre}}) {
+    PageInfo info;
+    info.resolution = resolution;
+    expect_round_trip({random_ink(30, 30, 2)}, {}, info, 1);
+  }
+}
+
+TEST(ContainerInk, ShortFormCostsAtMostFourteenBytes) {
+  for (const auto& [width, height] :
+       {std::pair{8, 8}, {127, 127}, {500, 300}, {16383, 20}}) {
+    const Bytes file =
+        write_pages(std::vector{random_ink(width, height, 5)}, {});
+    const Result<UstpReader> reader = open(file);
+    ASSERT_TRUE(reader);
+    EXPECT_EQ(reader->info().form, FileInfo::Form::short_form);
+    const PageEntry::Block& block = reader->info().pages[0].blocks[0];
+    EXPECT_EQ(block.offset + block.bytes, file.size());
+    EXPECT_LE(block.offset, width < 128 ? 12U : 14U);
+  }
+}
+
+TEST(ContainerInk, ResolutionKeepsTheShortFormAndNameDoesNot) {
+  const std::vector<Bitmap> pages{random_ink(20, 20, 6)};
+  PageInfo info;
+  info.resolution = {{300, 1}, {300, 1}, Resolution::Unit::inch};
+  const Bytes with_resolution = write_pages(pages, {}, info);
+  EXPECT_EQ(open(with_resolution)->info().form, FileInfo::Form::short_form);
+  info.name = "a";
+  const Bytes with_name = write_pages(pages, {}, info);
+  EXPECT_EQ(open(with_name)->info().form, FileInfo::Form::block_form);
+}
+
+TEST(ContainerInk, CutsBandsByItselfOnlyAboveTheDocumentedSize) {
+  // 8192 x 8192 is the limit itself; one row more is two bands.
+  const Bitmap limit = *Bitmap::create(8192, 8192);
+  const Bitmap above = *Bitmap::create(8192, 8193);
+  ASSERT_EQ(limit.pixels(), codec::kAutoBandPixels);
+  EncodeOptions options;
+  options.verify = false;
+  const Bytes file = write_pages(std::vector{limit, above}, options);
+  const Result<UstpReader> reader = open(file);
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(reader->info().pages[0].blocks.size(), 1U);
+  EXPECT_EQ(reader->info().pages[1].blocks.size(), 2U);
+}
+
+}  // namespace
+}  // namespace unstep
