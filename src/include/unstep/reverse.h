@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "unstep/grid.h"
+#include "unstep/interpolate.h"
+#include "unstep/result.h"
+
+/// Reverse interpolation: unit steps become segments.
+///
+///     DeviceReverse device;
+///     Segment segment;
+///     for (Step step : stream)
+///       if (device.push(step, segment) == Pushed::segment) use(segment);
+///     if (device.finish(segment)) use(segment);
+namespace unstep {
+
+/// What a pushed step did.
+enum class Pushed : std::uint8_t {
+  open,     ///< it joined the open segment
+  segment,  ///< a segment was closed and written
+  refused,  ///< not a step of the method; nothing changed
+};
+
+/// A2 of SU 1089551. Drawing the segments with Method::device stays within
+/// one unit of the chain on each axis at the same step index. Lossy.
+///
+/// A step that breaks the segment is its last step. A change of sign on an
+/// axis closes the segment *before* that step, which opens the next one. A
+/// full counter closes the segment too. Diagonal steps (odd codes) are
+/// refused. `Device` is DeviceRegisters or GateNet.
+template <class Device>
+class BasicDeviceReverse {
+ public:
+  /// Counters hold at most `capacity`, 2..2^31 - 1.
+  explicit BasicDeviceReverse(
+      std::int32_t capacity = std::numeric_limits<std::int32_t>::max())
+      : capacity_(capacity) {}
+
+  /// Takes one step in constant time. `closed` is written when the result is
+  /// Pushed::segment; one step closes at most one segment.
+  Pushed push(Step step, Segment& closed) {
+    if (step > 7 || (step & 1) != 0) return Pushed::refused;
+    if (read_out_) clear();
+    const bool vertical = (step & 2) != 0;
+    const bool negative = (step & 4) != 0;
+    const DeviceRegisters before = device_.registers();
+    bool& sign = vertical ? negative_y_ : negative_x_;
+    Pushed result = Pushed::open;
+    if ((vertical ? before.y : before.x) > 0 && sign != negative) {
+      closed = read();
+      clear();
+      result = Pushed::segment;
+    }
+    sign = negative;
+    using Axis = DeviceRegisters::Axis;
+    const bool breaks = device_.accept(vertical ? Axis::y : Axis::x);
+    const DeviceRegisters after = device_.registers();
+    if (breaks || (vertical ? after.y : after.x) == capacity_) {
+      closed = read();
+      read_out_ = true;
+      result = Pushed::segment;
+    }
+    return result;
+  }
+
+  /// End of message. True if a segment was open: it is written and the device
+  /// is ready for the next message.
+  bool finish(Segment& closed) {
+    if (read_out_) clear();
+    const DeviceRegisters last = device_.registers();
+    if ((last.x | last.y) == 0) return false;
+    closed = read();
+    clear();
+    return true;
+  }
+
+  /// The device after the last push, a breaking step's sums included (they
+  /// are cleared when the next step arrives).
+  [[nodiscard]] const Device& device() const { return device_; }
+
+ private:
+  [[nodiscard]] Segment read() const {
+    const DeviceRegisters now = device_.registers();
+    const auto x = static_cast<std::int32_t>(now.x);
+    const auto y = static_cast<std::int32_t>(now.y);
+    return {negative_x_ ? -x : x, negative_y_ ? -y : y};
+  }
+
+  void clear() {
+    device_.clear();
+    read_out_ = false;
+  }
+
+  Device device_;
+  std::int32_t capacity_;
+  bool negative_x_ = false;
+  bool negative_y_ = false;
+  bool read_out_ = false;  ///< the sums belong to a segment already read out
+};
+
+/// Register level: the one to use.
+using DeviceReverse = BasicDeviceReverse<DeviceRegisters>;
+/// Gate level (A3): for teaching and for tests.
+using GateReverse = BasicDeviceReverse<GateNet>;
+
+/// A2 over a whole chain. invalid_argument naming the step's index if a step
+/// is diagonal or no Freeman code.
+Result<std::vector<Segment>> reverse_device(std::span<const Step> steps);
+
+}  // namespace unstep
