@@ -1,5 +1,6 @@
 # What `cmake --install` puts where: the library, its headers and its CMake
-# package, the program, and the module that reads grey and colour images.
+# package, and the module that reads grey and colour images. cli/ installs the
+# program.
 include(CMakePackageConfigHelpers)
 
 set(unstep_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/unstep)
@@ -35,9 +36,6 @@ install(FILES
 if(TARGET unstep_opencv)
   install(TARGETS unstep_opencv
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/unstep)
-endif()
-if(TARGET unstep_cli)
-  install(TARGETS unstep_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
