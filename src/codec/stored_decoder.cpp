@@ -1,43 +1,72 @@
 #include <zlib.h>
 
+#include <string>
+
+#include "codec/container_format.h"
 #include "codec/stored_coder.h"
 
 namespace unstep::codec {
+namespace {
+
+class Inflater {
+ public:
+  explicit Inflater(std::span<const std::uint8_t> bytes) {
+    usable_ = inflateInit(&stream_) == Z_OK;
+    stream_.next_in = const_cast<Bytef*>(bytes.data());
+    stream_.avail_in = static_cast<uInt>(bytes.size());
+  }
+  ~Inflater() { inflateEnd(&stream_); }
+  Inflater(const Inflater&) = delete;
+  Inflater& operator=(const Inflater&) = delete;
+
+  [[nodiscard]] bool usable() const { return usable_; }
+
+  /// False if the stream does not give that many bytes.
+  bool fill(std::span<std::uint8_t> out) {
+    stream_.next_out = out.data();
+    stream_.avail_out = static_cast<uInt>(out.size());
+    while (stream_.avail_out > 0 && state_ == Z_OK) {
+      state_ = inflate(&stream_, Z_NO_FLUSH);
+    }
+    return stream_.avail_out == 0;
+  }
+
+  /// True if the stream, its check value included, ends right here and
+  /// nothing follows.
+  bool at_end() {
+    std::uint8_t extra = 0;
+    return !fill({&extra, 1}) && state_ == Z_STREAM_END &&
+           stream_.avail_in == 0;
+  }
+
+ private:
+  z_stream stream_{};
+  bool usable_ = false;
+  int state_ = Z_OK;
+};
+
+}  // namespace
 
 Status decode_stored(std::span<const std::uint8_t> payload, Bitmap& ink,
                      std::int32_t first_row, std::int32_t rows) {
-  if (payload.size() > 0xffffffffU) {
+  if (payload.size() > 0xffffffffU) {  // zlib counts in 32 bits
     return Error{ErrorCode::limit_exceeded, "stored payload above 4 GiB"};
   }
-  z_stream stream{};
-  if (inflateInit(&stream) != Z_OK) {
+  Inflater inflater(payload);
+  if (!inflater.usable()) {
     return Error{ErrorCode::limit_exceeded, "no memory for inflate"};
   }
-  stream.next_in = const_cast<Bytef*>(payload.data());
-  stream.avail_in = static_cast<uInt>(payload.size());
-  std::vector<std::uint8_t> row((static_cast<std::size_t>(ink.width()) + 7) / 8);
-  int state = Z_OK;
-  std::int32_t y = 0;
-  for (; y < rows; ++y) {
-    stream.next_out = row.data();
-    stream.avail_out = static_cast<uInt>(row.size());
-    while (stream.avail_out > 0 && state == Z_OK) {
-      state = inflate(&stream, Z_NO_FLUSH);
+  std::vector<std::uint8_t> row(row_bytes(ink.width()));
+  for (std::int32_t y = 0; y < rows; ++y) {
+    if (!inflater.fill(row)) {
+      return Error{ErrorCode::corrupt, "stored payload is damaged at row " +
+                                           std::to_string(first_row + y)};
     }
-    if (stream.avail_out > 0) break;
     ink.set_row_bytes(first_row + y, row, false);
   }
-  // The stream must end exactly with the last row and the last byte.
-  std::uint8_t extra = 0;
-  stream.next_out = &extra;
-  stream.avail_out = 1;
-  if (y == rows && state == Z_OK) state = inflate(&stream, Z_FINISH);
-  const bool exact =
-      state == Z_STREAM_END && stream.avail_out == 1 && stream.avail_in == 0;
-  inflateEnd(&stream);
-  if (y != rows || !exact) {
-    return Error{ErrorCode::corrupt, "stored payload is damaged at row " +
-                                         std::to_string(first_row + y)};
+  if (!inflater.at_end()) {
+    return Error{ErrorCode::corrupt,
+                 "stored payload does not end with the last row"};
   }
   return {};
 }

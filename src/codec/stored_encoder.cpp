@@ -1,31 +1,53 @@
 #include <zlib.h>
 
+#include "codec/container_format.h"
 #include "codec/stored_coder.h"
 
 namespace unstep::codec {
+namespace {
+
+class Deflater {
+ public:
+  Deflater() { usable_ = deflateInit(&stream_, Z_BEST_COMPRESSION) == Z_OK; }
+  ~Deflater() { deflateEnd(&stream_); }
+  Deflater(const Deflater&) = delete;
+  Deflater& operator=(const Deflater&) = delete;
+
+  [[nodiscard]] bool usable() const { return usable_; }
+
+  void add(std::span<std::uint8_t> bytes, bool last,
+           std::vector<std::uint8_t>& out) {
+    stream_.next_in = bytes.data();
+    stream_.avail_in = static_cast<uInt>(bytes.size());
+    do {
+      stream_.next_out = buffer_.data();
+      stream_.avail_out = static_cast<uInt>(buffer_.size());
+      deflate(&stream_, last ? Z_FINISH : Z_NO_FLUSH);
+      out.insert(out.end(), buffer_.data(), stream_.next_out);
+    } while (stream_.avail_out == 0);
+  }
+
+ private:
+  z_stream stream_{};
+  bool usable_ = false;
+  std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(1 << 14);
+};
+
+}  // namespace
 
 Result<std::vector<std::uint8_t>> encode_stored(const Bitmap& ink,
                                                 std::int32_t first_row,
                                                 std::int32_t rows) {
-  z_stream stream{};
-  if (deflateInit(&stream, 9) != Z_OK) {
+  Deflater deflater;
+  if (!deflater.usable()) {
     return Error{ErrorCode::limit_exceeded, "no memory for deflate"};
   }
-  std::vector<std::uint8_t> row((static_cast<std::size_t>(ink.width()) + 7) / 8);
+  std::vector<std::uint8_t> row(row_bytes(ink.width()));
   std::vector<std::uint8_t> out;
-  std::vector<std::uint8_t> buffer(1 << 14);
   for (std::int32_t y = 0; y < rows; ++y) {
     ink.get_row_bytes(first_row + y, row, false);
-    stream.next_in = row.data();
-    stream.avail_in = static_cast<uInt>(row.size());
-    do {
-      stream.next_out = buffer.data();
-      stream.avail_out = static_cast<uInt>(buffer.size());
-      deflate(&stream, y + 1 == rows ? Z_FINISH : Z_NO_FLUSH);
-      out.insert(out.end(), buffer.data(), stream.next_out);
-    } while (stream.avail_out == 0);
+    deflater.add(row, y + 1 == rows, out);
   }
-  deflateEnd(&stream);
   return out;
 }
 
