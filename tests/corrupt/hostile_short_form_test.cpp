@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "codec/byte_writer.h"
+#include "codec/checksum.h"
+#include "codec/container_format.h"
+#include "corrupt/file_surgery.h"
+#include "unit/container_testing.h"
+
+/// Short forms written by hand, field by field.
+namespace unstep {
+namespace {
+
+using codec::ByteWriter;
+using testing::Bytes;
+using testing::decode_all;
+using testing::random_ink;
+
+void expect_error(const Bytes& file, ErrorCode code, std::string_view reason) {
+  const auto decoded = decode_all(file);
+  ASSERT_FALSE(decoded) << "expected: " << reason;
+  EXPECT_EQ(to_string(decoded.error().code), to_string(code))
+      << decoded.error().message;
+  EXPECT_NE(decoded.error().message.find(reason), std::string::npos)
+      << decoded.error().message;
+}
+
+/// A short form with a right checksum over `head` (flags to counts) and the
+/// decoded bytes of `checksum`.
+Bytes forge(const Bytes& head, std::uint32_t decoded_crc,
+            std::uint64_t decoded_bytes, const Bytes& payload) {
+  ByteWriter out;
+  out.bytes(codec::kSignature);
+  out.bytes(head);
+  out.u32(codec::crc_join(codec::crc_bytes(head), decoded_crc, decoded_bytes));
+  out.bytes(payload);
+  return out.take();
+}
+
+/// Only the head matters: the file fails before its payload is looked at.
+void expect_bad_head(const Bytes& head, ErrorCode code,
+                     std::string_view reason) {
+  Bytes file(codec::kSignature.begin(), codec::kSignature.end());
+  file.insert(file.end(), head.begin(), head.end());
+  file.insert(file.end(), 24, 0);
+  expect_error(file, code, reason);
+}
+
+Bytes stored_payload(const Bitmap& ink) {
+  return *codec::encode_stored(ink, 0, ink.height());
+}
+
+TEST(HostileShortForm, ForgedIntactFileIsReadable) {
+  const Bitmap ink = random_ink(8, 6, 1);
+  const Bytes file = forge({0, 8, 6, 0}, ink.crc32(), 6, stored_payload(ink));
+  const auto decoded = decode_all(file);
+  ASSERT_TRUE(decoded) << decoded.error().message;
+  EXPECT_EQ(decoded->pages[0].ink, ink);
+}
+
+TEST(HostileShortForm, ForeignFilesAreNamedAsSuch) {
+  expect_error({}, ErrorCode::bad_magic, "not a .ustp file");
+  expect_error({0x89, 'P', 'N', 'G', '\r', '\n'}, ErrorCode::bad_magic,
+               "not a .ustp file");
+  expect_error({0xf5, 0x55}, ErrorCode::truncated, "the signature");
+  expect_error({0xf5, 0x55, 0x0d, 0x0a}, ErrorCode::truncated, "the version");
+}
+
+TEST(HostileShortForm, NewerVersionsAreNamed) {
+  for (int version = 1; version <= 15; ++version) {
+    expect_bad_head({static_cast<std::uint8_t>(version), 8, 8, 0},
+                    ErrorCode::unsupported_version,
+                    "format version " + std::to_string(version));
+  }
+}
+
+TEST(HostileShortForm, ImpossibleNumbersAreErrors) {
+  const ErrorCode corrupt = ErrorCode::corrupt;
+  expect_bad_head({0, 0x88, 0x00, 8, 0}, corrupt, "superfluous bytes");
+  expect_bad_head({0, 0x80, 0x80, 0x80, 0x80, 0x04, 8, 0}, corrupt,
+                  "at most 1073741823");
+  expect_bad_head(
+      {0, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0x02, 8, 0},
+      corrupt, "exceeds 64 bits");
+  expect_bad_head({0, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff,
+                   0xff, 0x01, 8, 0},
+                  corrupt, "exceeds 64 bits");
+  expect_bad_head({0, 0, 8, 0}, corrupt, "side of 0");
+  expect_bad_head({0, 8, 0, 0}, corrupt, "side of 0");
+  expect_bad_head({codec::kYUpFlag, 8, 8, 0}, corrupt, "y up");
+  expect_bad_head({codec::kChainsFlag, 0, 8, 16, 0, 0}, corrupt, "side of 0");
+}
+
+TEST(HostileShortForm, ImpossibleResolutionsAreErrors) {
+  const std::uint8_t flag = codec::kResolutionFlag;
+  const ErrorCode corrupt = ErrorCode::corrupt;
+  expect_bad_head({flag, 8, 8, 8, 1, 1, 1, 1, 0}, corrupt, "unknown unit");
+  expect_bad_head({flag, 8, 8, 5, 1, 0, 0}, corrupt, "denominator 0");
+  expect_bad_head({flag, 8, 8, 1, 2, 1, 2, 0, 0}, corrupt, "denominator 0");
+  expect_bad_head({flag, 8, 8, 1, 2, 1, 2, 1, 0}, corrupt, "given twice");
+  expect_bad_head({flag, 8, 8, 4, 0, 1, 0}, corrupt, "says nothing");
+  expect_bad_head({flag, 8, 8, 5, 0x80, 0x80, 0x80, 0x80, 0x10, 1, 0}, corrupt,
+                  "at most 4294967295");
+}
+
+TEST(HostileShortForm, UnknownCodersAreErrors) {
+  const Bitmap ink = random_ink(8, 8, 2);
+  const Bytes payload = stored_payload(ink);
+  for (const Bytes& name : {Bytes{31}, Bytes{0x80}, Bytes{0x20},
+                            Bytes{0x60, 9, 0}, Bytes{0x60, 0, 200}}) {
+    Bytes head{0, 8, 8};
+    head.insert(head.end(), name.begin(), name.end());
+    expect_error(forge(head, ink.crc32(), 8, payload),
+                 ErrorCode::unsupported_version, "is unknown");
+  }
+  expect_bad_head({0, 8, 8, 0xe0, 3, 0}, ErrorCode::corrupt, "bit 7");
+  expect_bad_head({0, 8, 8, 0x60, 2, 1}, ErrorCode::corrupt,
+                  "long coder name for a short one");
+}
+
+TEST(HostileShortForm, HugeDimensionsAreRefusedBeforeAllocation) {
+  // 2^30 - 1 squared: 2^57 bytes if anybody believed it.
+  const Bytes head{0,    0xff, 0xff, 0xff, 0xff, 0x03,
+                   0xff, 0xff, 0xff, 0xff, 0x03, 0};
+  expect_error(forge(head, 0, 0, {1, 2, 3}), ErrorCode::limit_exceeded,
+               "pixels");
+  DecodeOptions options;
+  options.limits.max_pixels = std::numeric_limits<std::uint64_t>::max();
+  const Bytes file = forge(head, 0, 0, {1, 2, 3});
+  const auto reader = UstpReader::open(file, options);
+  ASSERT_TRUE(reader);
+  const auto page = reader->read_page(0);
+  ASSERT_FALSE(page);
+  EXPECT_EQ(page.error().code, ErrorCode::limit_exceeded);
+  EXPECT_NE(page.error().message.find("memory"), std::string::npos);
+}
+
+TEST(HostileShortForm, ManyChainsAndStepsAreRefusedBeforeAllocation) {
+  // 2^48 chains; then 2^48 steps; then more than the format can count.
+  const std::uint8_t flag = codec::kChainsFlag;
+  const Bytes big{0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x40};
+  Bytes chains{flag, 8, 8, 16};
+  chains.insert(chains.end(), big.begin(), big.end());
+  chains.push_back(0);
+  expect_error(forge(chains, 0, 0, {}), ErrorCode::limit_exceeded, "memory");
+  Bytes steps{flag, 8, 8, 16, 1};
+  steps.insert(steps.end(), big.begin(), big.end());
+  expect_error(forge(steps, 0, 0, {}), ErrorCode::limit_exceeded, "steps");
+  steps.back() = 0x41;
+  expect_bad_head(steps, ErrorCode::corrupt, "at most");
+}
+
+TEST(HostileShortForm, WrongChecksumIsAnError) {
+  const Bitmap ink = random_ink(12, 9, 3);
+  expect_error(forge({0, 12, 9, 0}, ink.crc32() ^ 1, 18, stored_payload(ink)),
+               ErrorCode::checksum_mismatch, "differs from what was encoded");
+  const Bitmap other = random_ink(12, 9, 4);
+  expect_error(forge({0, 12, 9, 0}, ink.crc32(), 18, stored_payload(other)),
+               ErrorCode::checksum_mismatch, "differs from what was encoded");
+}
+
+TEST(HostileStoredCoder, StreamThatDoesNotFitTheRowsIsAnError) {
+  const Bitmap ink = random_ink(12, 9, 5);
+  const Bytes payload = stored_payload(ink);
+  const auto with = [&](const Bytes& bytes) {
+    return forge({0, 12, 9, 0}, ink.crc32(), 18, bytes);
+  };
+  expect_error(with({}), ErrorCode::corrupt, "damaged at row 0");
+  Bytes longer = payload;
+  longer.push_back(0);
+  expect_error(with(longer), ErrorCode::corrupt, "end with the last row");
+  expect_error(with(stored_payload(random_ink(12, 8, 5))), ErrorCode::corrupt,
+               "damaged at row 8");
+  expect_error(with(stored_payload(random_ink(12, 10, 5))), ErrorCode::corrupt,
+               "end with the last row");
+  Bytes no_check_value(payload.begin(), payload.end() - 4);
+  expect_error(with(no_check_value), ErrorCode::corrupt,
+               "end with the last row");
+}
+
+}  // namespace
+}  // namespace unstep
