@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "formats/colour.h"
+#include "unstep/formats.h"
+
+/// Grey and colour pixels to ink, one row in memory at a time.
+namespace unstep {
+
+/// The rows of one image, first row first, as often as wanted.
+class ColourRows {
+ public:
+  virtual ~ColourRows() = default;
+  /// Goes (back) to the first row.
+  virtual Status start() = 0;
+  /// REQUIRES: start() was called, rows are left, row.size() is the width.
+  virtual Status next(std::span<Colour> row) = 0;
+};
+
+/// Fills page.ink from the rows. At most two values: the darker one is ink,
+/// page.lossless stays true and the colours go to the metadata. More: the
+/// threshold decides, page.lossless is false and a note says so;
+/// invalid_argument if there is none. A single value is ink if its luminance
+/// is below 128. The limits were checked by the caller.
+Status read_colours(ColourRows& rows, std::int32_t width, std::int32_t height,
+                    const Threshold& threshold, RasterPage& page);
+
+}  // namespace unstep

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "unstep/codec.h"
+
+/// Resolutions between the units of foreign formats.
+namespace unstep {
+
+/// A rational and whether it is the exact value or the nearest one.
+struct RoundedRational {
+  Rational value;
+  bool exact = true;
+};
+
+/// value * numerator / denominator, reduced; the nearest rational with both
+/// parts in uint32 if it does not fit. REQUIRES: value.denominator != 0,
+/// 0 < numerator, denominator < 2^31.
+[[nodiscard]] RoundedRational scale(const Rational& value,
+                                    std::uint32_t numerator,
+                                    std::uint32_t denominator);
+
+/// The nearest whole number.
+[[nodiscard]] std::uint64_t round_to_integer(const Rational& value);
+
+/// "204/1 x 98/1 per inch", for notes.
+[[nodiscard]] std::string to_string(const Resolution& resolution);
+
+/// The value with x and y exchanged.
+[[nodiscard]] Resolution transposed(const Resolution& resolution);
+
+/// True if both parts of both rationals make numbers above 0.
+[[nodiscard]] bool is_usable(const Resolution& resolution);
+
+}  // namespace unstep
