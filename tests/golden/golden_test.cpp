@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "codec/container_decoder.h"
+#include "corrupt/file_surgery.h"
+#include "golden/golden_text.h"
+#include "unit/container_testing.h"
+
+namespace unstep {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Bytes;
+
+fs::path source_dir() { return UNSTEP_SOURCE_DIR; }
+
+std::vector<fs::path> golden_files(const std::string& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry :
+       fs::directory_iterator(source_dir() / "tests" / "golden" / folder)) {
+    if (entry.path().extension() == ".ustp") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Bytes read(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  EXPECT_TRUE(in) << path;
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string read_text(const fs::path& path) {
+  const Bytes bytes = read(path);
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(Golden, ValidFilesDecodeToWhatTheyAlwaysDid) {
+  const std::vector<fs::path> files = golden_files("valid");
+  ASSERT_GE(files.size(), 10U);
+  for (fs::path path : files) {
+    SCOPED_TRACE(path.filename());
+    const Bytes file = read(path);
+    const Result<UstpReader> reader = testing::open(file);
+    ASSERT_TRUE(reader) << reader.error().message;
+    EXPECT_EQ(testing::text_of(reader->info()),
+              read_text(path.replace_extension(".txt")));
+    Bytes pbm;
+    for (std::size_t i = 0; i < reader->info().pages.size(); ++i) {
+      const Result<Page> page = reader->read_page(i);
+      ASSERT_TRUE(page) << page.error().message;
+      if (page->kind != PageKind::ink) continue;
+      const Bytes one = testing::pbm_of(page->ink);
+      pbm.insert(pbm.end(), one.begin(), one.end());
+    }
+    if (pbm.empty()) continue;  // the page's checksum vouches for chains
+    EXPECT_EQ(pbm, read(path.replace_extension(".pbm")));
+  }
+}
+
+/// The error code is the part of the name before the hyphen.
+TEST(Golden, MustFailFilesFailAsTheirNamesSay) {
+  const std::vector<fs::path> files = golden_files("must_fail");
+  ASSERT_GE(files.size(), 10U);
+  for (const fs::path& path : files) {
+    SCOPED_TRACE(path.filename());
+    const std::string name = path.stem();
+    const auto decoded = testing::decode_all(read(path));
+    ASSERT_FALSE(decoded);
+    EXPECT_EQ(to_string(decoded.error().code), name.substr(0, name.find('-')))
+        << decoded.error().message;
+  }
+}
+
+/// The parts of a file, its payloads taken as they are.
+std::vector<codec::PageParts> parts_of(const Bytes& file) {
+  const codec::ParsedFile parsed = *codec::parse_file(file);
+  std::vector<codec::PageParts> pages;
+  for (std::size_t p = 0; p < parsed.info.pages.size(); ++p) {
+    const PageEntry& entry = parsed.info.pages[p];
+    codec::PageParts page{
+        entry.kind, entry.canvas, entry.info, entry.checksum, {}};
+    for (std::size_t b = 0; b < entry.blocks.size(); ++b) {
+      const PageEntry::Block& from = entry.blocks[b];
+      codec::BlockParts block;
+      block.encoded.name = {from.coder, from.revision, from.table};
+      const auto start =
+          file.begin() + static_cast<std::ptrdiff_t>(from.offset);
+      block.encoded.payload.assign(
+          start, start + static_cast<std::ptrdiff_t>(from.bytes));
+      block.checksum = parsed.proofs[p][b].checksum;
+      block.box = parsed.proofs[p][b].box.value_or(codec::Box{});
+      block.first_row = from.first_row;
+      block.rows = from.rows;
+      block.chains = from.chains;
+      block.steps = from.steps;
+      page.blocks.push_back(std::move(block));
+    }
+    pages.push_back(std::move(page));
+  }
+  return pages;
+}
+
+TEST(Golden, ContainerOfTheSamePayloadsHasTheSameBytes) {
+  int compared = 0;
+  for (const fs::path& path : golden_files("valid")) {
+    const std::string name = path.stem();
+    // Writers make no unknown blocks, and zlib may deflate metadata otherwise.
+    if (name.find("unknown") != std::string::npos) continue;
+    if (name == "block_two_pages") continue;
+    SCOPED_TRACE(name);
+    const Bytes file = read(path);
+    const std::vector<codec::PageParts> pages = parts_of(file);
+    const Bytes again = codec::fits_short_form(pages, {})
+                            ? codec::short_form(pages[0])
+                            : *codec::block_form(pages, {});
+    EXPECT_EQ(again, file);
+    ++compared;
+  }
+  EXPECT_GE(compared, 8);
+}
+
+/// The example of docs/format.md: rows "offset  hex bytes  words" between two
+/// marks, then the drawing in '.' and '#'.
+TEST(Golden, ExampleOfTheFormatDescriptionIsTrue) {
+  std::istringstream doc(read_text(source_dir() / "docs" / "format.md"));
+  std::string line;
+  while (std::getline(doc, line) && line != "<!-- example begins -->") {
+  }
+  const std::regex row(R"( +(\d+)  ((?:[0-9a-f]{2} )+) +.*)");
+  const std::regex drawing(R"( +([.#]{8}))");
+  Bytes file;
+  std::vector<std::string> rows;
+  std::smatch match;
+  while (std::getline(doc, line) && line != "<!-- example ends -->") {
+    if (std::regex_match(line, match, row)) {
+      EXPECT_EQ(std::stoul(match[1]), file.size()) << line;
+      std::istringstream hex(match[2].str());
+      for (unsigned byte = 0; hex >> std::hex >> byte;) {
+        file.push_back(static_cast<std::uint8_t>(byte));
+      }
+    } else if (std::regex_match(line, match, drawing)) {
+      rows.push_back(match[1]);
+    }
+  }
+  ASSERT_EQ(rows.size(), 8U);
+  const auto decoded = testing::decode_all(file);
+  ASSERT_TRUE(decoded) << decoded.error().message;
+  EXPECT_EQ(decoded->pages[0].ink, testing::ink_of(rows));
+  EXPECT_EQ(file, read(source_dir() / "tests" / "golden" / "valid" /
+                       "short_glyph_8x8.ustp"));
+}
+
+}  // namespace
+}  // namespace unstep

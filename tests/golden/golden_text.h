@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "codec/container_format.h"
+#include "unstep/codec.h"
+
+/// What the golden tests compare: the header of a file as text and its ink
+/// pages as one concatenated PBM.
+namespace unstep::testing {
+
+inline std::string text_of(const Resolution& resolution) {
+  const auto ratio = [](const Rational& r) {
+    return std::to_string(r.numerator) + "/" + std::to_string(r.denominator);
+  };
+  return ratio(resolution.x) + " " + ratio(resolution.y) + " unit " +
+         std::to_string(static_cast<int>(resolution.unit));
+}
+
+inline std::string text_of(const Metadata& metadata,
+                           const std::string& indent) {
+  std::string text;
+  for (const auto& [key, value] : metadata) {
+    text += indent + key + "=" + value + "\n";
+  }
+  return text;
+}
+
+inline std::string text_of(const PageEntry::Block& block) {
+  return "  coder " + std::to_string(block.coder) + "." +
+         std::to_string(block.revision) + "." + std::to_string(block.table) +
+         " at " + std::to_string(block.offset) + " + " +
+         std::to_string(block.bytes) + " rows " +
+         std::to_string(block.first_row) + " + " + std::to_string(block.rows) +
+         " chains " + std::to_string(block.chains) + " steps " +
+         std::to_string(block.steps) + "\n";
+}
+
+inline std::string text_of(const FileInfo& info) {
+  std::string text =
+      std::string(info.form == FileInfo::Form::short_form ? "short" : "block") +
+      " form, version " + std::to_string(info.version) + "\n" +
+      text_of(info.metadata, "");
+  for (const PageEntry& page : info.pages) {
+    text += std::string("page ") +
+            (page.kind == PageKind::ink ? "ink " : "chains ") +
+            std::to_string(page.canvas.width) + " x " +
+            std::to_string(page.canvas.height) +
+            (page.canvas.y_axis == YAxis::up ? " y up" : "") + " checksum " +
+            std::to_string(page.checksum) + " name '" + page.info.name +
+            "' resolution " + text_of(page.info.resolution) + "\n" +
+            text_of(page.info.metadata, "  ");
+    for (const PageEntry::Block& block : page.blocks) text += text_of(block);
+  }
+  return text;
+}
+
+/// REQUIRES: an ink page.
+inline std::vector<std::uint8_t> pbm_of(const Bitmap& ink) {
+  const std::string head = "P4\n" + std::to_string(ink.width()) + " " +
+                           std::to_string(ink.height()) + "\n";
+  std::vector<std::uint8_t> bytes(head.begin(), head.end());
+  std::vector<std::uint8_t> row(codec::row_bytes(ink.width()));
+  for (std::int32_t y = 0; y < ink.height(); ++y) {
+    ink.get_row_bytes(y, row, false);
+    bytes.insert(bytes.end(), row.begin(), row.end());
+  }
+  return bytes;
+}
+
+}  // namespace unstep::testing

@@ -1,0 +1,168 @@
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "codec/byte_writer.h"
+#include "corrupt/file_surgery.h"
+#include "golden/golden_text.h"
+#include "unit/container_testing.h"
+
+/// make_golden FOLDER: the golden files of coder 0 and of the container.
+namespace unstep::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, std::span<const std::uint8_t> bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+}
+
+void write_valid(const fs::path& folder, const std::string& name,
+                 const Bytes& file) {
+  write(folder / "valid" / (name + ".ustp"), file);
+  const Result<UstpReader> reader = open(file);
+  if (!reader) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(),
+                 reader.error().message.c_str());
+    return;
+  }
+  std::ofstream(folder / "valid" / (name + ".txt")) << text_of(reader->info());
+  Bytes pbm;
+  for (std::size_t i = 0; i < reader->info().pages.size(); ++i) {
+    const Bytes page = pbm_of(reader->read_page(i)->ink);
+    pbm.insert(pbm.end(), page.begin(), page.end());
+  }
+  write(folder / "valid" / (name + ".pbm"), pbm);
+}
+
+void write_failing(const fs::path& folder, const std::string& name,
+                   const Bytes& file) {
+  write(folder / "must_fail" / (name + ".ustp"), file);
+}
+
+Bitmap glyph() {
+  return ink_of({"........", ".######.", ".#....#.", ".#.##.#.",  //
+                 ".#.##.#.", ".#....#.", ".######.", "........"});
+}
+
+std::vector<codec::PageParts> two_pages() {
+  return {
+      stored_page(random_ink(37, 23, 1), 3,
+                  {"recto",
+                   {{600, 1}, {600, 1}, Resolution::Unit::inch},
+                   {{"tiff:Artist", "A. Drawer"}}}),
+      stored_page(
+          random_ink(65, 9, 2), 1,
+          {"verso \xc3\xa9", {{204, 1}, {98, 1}, Resolution::Unit::inch}, {}})};
+}
+
+/// Bands of 1, 7, 2 and 1 rows.
+codec::PageParts uneven_bands() {
+  const Bitmap ink = random_ink(130, 11, 3);
+  codec::PageParts page = stored_page(ink, 1);
+  const codec::BlockParts whole = page.blocks[0];
+  page.blocks.clear();
+  std::int32_t row = 0;
+  for (const std::int32_t rows : {1, 7, 2, 1}) {
+    codec::BlockParts block = whole;
+    block.first_row = row;
+    block.rows = rows;
+    block.encoded.payload = *codec::encode_stored(ink, row, rows);
+    block.checksum = codec::crc_rows(ink, row, rows);
+    block.box = {0, row, 130, static_cast<std::uint32_t>(rows)};
+    page.blocks.push_back(block);
+    row += rows;
+  }
+  return page;
+}
+
+std::vector<RawBlock> with_unknown_block(std::uint8_t type) {
+  const std::vector pages{stored_page(glyph(), 2)};
+  std::vector<RawBlock> blocks =
+      without_index(take_apart(*codec::block_form(pages, {})));
+  blocks.insert(blocks.begin() + 2, RawBlock{type, {1, 2, 3}});
+  return blocks;
+}
+
+void write_all_valid(const fs::path& folder) {
+  const Bitmap white = *Bitmap::create(8, 8);
+  const Resolution fax{{204, 1}, {98, 1}, Resolution::Unit::inch};
+  const Resolution odd{
+      {0xffffffffU, 0xfffffffeU}, {1, 0xffffffffU}, Resolution::Unit::metre};
+  const auto short_form = [](const Bitmap& ink, const Resolution& resolution) {
+    return codec::short_form(stored_page(ink, 1, {"", resolution, {}}));
+  };
+  write_valid(folder, "short_white_8x8", short_form(white, {}));
+  write_valid(folder, "short_glyph_8x8", short_form(glyph(), {}));
+  write_valid(folder, "short_one_pixel", short_form(ink_of({"#"}), {}));
+  write_valid(folder, "short_1x300", short_form(random_ink(1, 300, 4), {}));
+  write_valid(folder, "short_300x1", short_form(random_ink(300, 1, 5), {}));
+  write_valid(folder, "short_fax_resolution",
+              short_form(random_ink(40, 20, 6), fax));
+  write_valid(folder, "short_odd_resolution", short_form(glyph(), odd));
+  write_valid(folder, "block_two_pages",
+              *codec::block_form(two_pages(), Metadata{{"title", "both"}}));
+  write_valid(folder, "block_uneven_bands",
+              *codec::block_form(std::vector{uneven_bands()}, {}));
+  write_valid(folder, "block_unknown_optional_block",
+              join(with_unknown_block(0xfe)));
+}
+
+void write_all_failing(const fs::path& folder) {
+  Bytes version = codec::short_form(stored_page(glyph(), 1));
+  version[4] = 1;
+  write_failing(folder, "unsupported_version-newer", version);
+
+  Bytes checksum = codec::short_form(stored_page(glyph(), 1));
+  checksum[8] ^= 1;
+  write_failing(folder, "checksum_mismatch-short", checksum);
+
+  Bytes magic = codec::short_form(stored_page(glyph(), 1));
+  magic[2] = '\n';
+  write_failing(folder, "bad_magic-line_ends", magic);
+
+  Bytes overlong{0xf5, 0x55, 0x0d, 0x0a, 0x00, 0x88, 0x00, 0x08, 0x00};
+  overlong.insert(overlong.end(), 12, 0);
+  write_failing(folder, "corrupt-overlong_varint", overlong);
+
+  Bytes huge{0xf5, 0x55, 0x0d, 0x0a, 0x00, 0xff, 0xff, 0xff,
+             0xff, 0x03, 0xff, 0xff, 0xff, 0xff, 0x03, 0x00};
+  huge.insert(huge.end(), 12, 0);
+  write_failing(folder, "limit_exceeded-huge_canvas", huge);
+
+  write_failing(folder, "unsupported_version-required_block",
+                join(with_unknown_block(0x7e)));
+
+  const Bytes block = *codec::block_form(two_pages(), {});
+  write_failing(folder, "truncated-no_end",
+                Bytes(block.begin(), block.end() - 18));
+  Bytes damaged = block;
+  damaged[block.size() / 2] ^= 0x10;
+  write_failing(folder, "checksum_mismatch-block", damaged);
+  Bytes trailing = block;
+  trailing.push_back(0);
+  write_failing(folder, "corrupt-trailing_byte", trailing);
+
+  std::vector<RawBlock> overlap = without_index(take_apart(block));
+  overlap[3].content[1] -= 1;
+  write_failing(folder, "corrupt-overlapping_bands", join(overlap));
+}
+
+}  // namespace
+}  // namespace unstep::testing
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: make_golden FOLDER\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::create_directories(folder / "valid");
+  std::filesystem::create_directories(folder / "must_fail");
+  unstep::testing::write_all_valid(folder);
+  unstep::testing::write_all_failing(folder);
+}
