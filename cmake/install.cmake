@@ -1,6 +1,5 @@
 # What `cmake --install` puts where: the library, its headers and its CMake
-# package, and the module that reads grey and colour images. cli/ installs the
-# program.
+# package. cli/ installs the program, src/formats/ its OpenCV module.
 include(CMakePackageConfigHelpers)
 
 set(unstep_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/unstep)
@@ -33,9 +32,5 @@ install(FILES
   ${PROJECT_BINARY_DIR}/unstepConfigVersion.cmake
   DESTINATION ${unstep_package_dir})
 
-if(TARGET unstep_opencv)
-  install(TARGETS unstep_opencv
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/unstep)
-endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR})

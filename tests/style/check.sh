@@ -1,5 +1,5 @@
 #!/bin/bash
-# check.sh formatted|ascii|finished, from the project's root.
+# check.sh formatted|ascii|finished|snippets, from the project's root.
 set -euo pipefail
 
 cpp_files() {
@@ -34,8 +34,19 @@ case ${1:-} in
       exit 1
     fi
     ;;
+  snippets)
+    # Every line of C++ in the README is a line of the compiled example.
+    sed -n '/^```cpp$/,/^```$/p' README.md | grep -v '^```' |
+      sed 's/^ *//' | grep . | while IFS= read -r line; do
+      if ! sed 's/^ *//' samples/compress_bitmap.cpp | grep -qxF -- "$line"
+      then
+        echo "README.md: not in samples/compress_bitmap.cpp: $line" >&2
+        exit 1
+      fi
+    done
+    ;;
   *)
-    echo "usage: check.sh formatted|ascii|finished" >&2
+    echo "usage: check.sh formatted|ascii|finished|snippets" >&2
     exit 2
     ;;
 esac
