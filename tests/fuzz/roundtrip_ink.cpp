@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fuzz/target.h"
+
+/// Any ink comes back: 1 byte of width, 1 byte of options, the pixels.
+namespace unstep::fuzz {
+namespace {
+
+Bitmap ink_of(std::int32_t width, std::span<const std::uint8_t> bits) {
+  const auto count = static_cast<std::int64_t>(bits.size()) * 8;
+  const std::int64_t height = std::max<std::int64_t>(1, count / width);
+  Bitmap ink = *Bitmap::create(width, height);
+  for (std::int64_t i = 0; i < std::min(count, width * height); ++i) {
+    const bool bit =
+        (bits[static_cast<std::size_t>(i / 8)] >> (i % 8) & 1) != 0;
+    ink.set(static_cast<std::int32_t>(i % width),
+            static_cast<std::int32_t>(i / width), bit);
+  }
+  return ink;
+}
+
+void round_trip(const Bitmap& ink, std::uint8_t choice) {
+  EncodeOptions options;
+  options.bands = choice % 5;
+  options.jobs = 1 + choice / 64;
+  PageInfo info;
+  if ((choice & 8) != 0) info.name = "page";
+  if ((choice & 16) != 0) info.resolution.x = {300, choice};
+  if ((choice & 32) != 0) options.metadata = {{"key", "value"}};
+  if (info.resolution.x.denominator == 0) info.resolution.x.denominator = 1;
+
+  UstpWriter writer(options);
+  const Status added = writer.add_page(ink, info);
+  require(static_cast<bool>(added), "any ink can be encoded");
+  const auto file = writer.finish();
+  require(static_cast<bool>(file), "any page makes a file");
+  DecodeOptions decode_options;
+  decode_options.jobs = options.jobs;
+  const auto reader = UstpReader::open(*file, decode_options);
+  require(static_cast<bool>(reader), "an encoded file can be opened");
+  const auto page = reader->read_page(0);
+  require(static_cast<bool>(page), "an encoded page can be decoded");
+  require(page->ink == ink, "decoded pixels are the encoded ones");
+  require(page->info == info, "the page's properties are kept");
+  require(reader->info().metadata == options.metadata, "metadata is kept");
+}
+
+}  // namespace
+}  // namespace unstep::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {
+  if (size < 2 || size > 4096) return 0;
+  const std::span<const std::uint8_t> input(data, size);
+  unstep::fuzz::round_trip(unstep::fuzz::ink_of(input[0] + 1, input.subspan(2)),
+                           input[1]);
+  return 0;
+}
