@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <memory>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -77,11 +78,20 @@ Status run_parallel(int jobs, std::size_t count,
 
 BlockProgress ProgressSum::block() {
   if (!progress_) return {};
-  return [this, seen = std::uint64_t{0}](std::uint64_t done) mutable {
-    const std::uint64_t more = done > seen ? done - seen : 0;
-    seen += more;
+  // Shared, so that copies of the callback count once.
+  return [this, seen = std::make_shared<std::uint64_t>(0)](std::uint64_t done) {
+    const std::uint64_t more = done > *seen ? done - *seen : 0;
+    *seen += more;
     return add(more);
   };
+}
+
+Status ProgressSum::complete(const BlockProgress& progress,
+                             std::uint64_t size) {
+  if (progress && !progress(size)) {
+    return Error{ErrorCode::cancelled, "cancelled"};
+  }
+  return {};
 }
 
 bool ProgressSum::add(std::uint64_t more) {

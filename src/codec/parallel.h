@@ -30,6 +30,10 @@ class ProgressSum {
   /// A callback for one block; empty if nobody listens. Must not outlive this.
   [[nodiscard]] BlockProgress block();
 
+  /// Tells that the block of `progress` is complete, `size` of it, whatever
+  /// its coder told. `cancelled` if the listener wants to stop.
+  static Status complete(const BlockProgress& progress, std::uint64_t size);
+
  private:
   bool add(std::uint64_t more);
 

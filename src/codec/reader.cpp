@@ -13,6 +13,7 @@
 namespace unstep {
 namespace {
 
+using codec::BlockProgress;
 using codec::BlockProof;
 using codec::ProgressSum;
 
@@ -99,9 +100,10 @@ Status UstpReader::Impl::decode_ink(const PageEntry& entry,
   return codec::run_parallel(
       options.jobs, entry.blocks.size(), [&](std::size_t i) -> Status {
         const PageEntry::Block& block = entry.blocks[i];
+        const BlockProgress progress = sum.block();
         if (Status done = codec::decode_ink(coder_name(block), payload(block),
                                             page.ink, block.first_row,
-                                            block.rows, limits, sum.block());
+                                            block.rows, limits, progress);
             !done) {
           return in_block(block, i, done.error());
         }
@@ -109,7 +111,8 @@ Status UstpReader::Impl::decode_ink(const PageEntry& entry,
             proofs[i].checksum) {
           return in_block(block, i, mismatch("decoded ink"));
         }
-        return {};
+        return ProgressSum::complete(progress,
+                                     static_cast<std::uint64_t>(block.rows));
       });
 }
 
@@ -143,9 +146,10 @@ Status UstpReader::Impl::decode_chains(const PageEntry& entry,
   page.drawing.canvas = entry.canvas;
   for (std::size_t i = 0; i < entry.blocks.size(); ++i) {
     const PageEntry::Block& block = entry.blocks[i];
+    const BlockProgress progress = sum.block();
     Result<std::vector<Chain>> chains =
         codec::decode_chains(coder_name(block), payload(block), block.chains,
-                             block.steps, options.limits, sum.block());
+                             block.steps, options.limits, progress);
     if (!chains) return in_block(block, i, chains.error());
     const Result<codec::ChainSurvey> survey =
         codec::survey_chains(*chains, entry.canvas.y_axis);
@@ -162,6 +166,9 @@ Status UstpReader::Impl::decode_chains(const PageEntry& entry,
                       Error{ErrorCode::corrupt, "wrong box in the index"});
     }
     std::ranges::move(*chains, std::back_inserter(page.drawing.chains));
+    if (Status more = ProgressSum::complete(progress, block.chains); !more) {
+      return more;
+    }
   }
   return {};
 }

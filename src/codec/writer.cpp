@@ -78,7 +78,7 @@ Status prove_band(const Bitmap& ink, const BlockParts& band,
     return proof_failed(done.error().message);
   }
   if (!same_rows(ink, band, *decoded)) return proof_failed("pixels differ");
-  return {};
+  return ProgressSum::complete(progress, static_cast<std::uint64_t>(band.rows));
 }
 
 Status prove_chains(const Drawing& drawing, const BlockParts& block,
@@ -91,7 +91,7 @@ Status prove_chains(const Drawing& drawing, const BlockParts& block,
     return proof_failed(decoded.error().message);
   }
   if (*decoded != drawing.chains) return proof_failed("chains differ");
-  return {};
+  return ProgressSum::complete(progress, block.chains);
 }
 
 bool same_page(const PageParts& given, const PageEntry& found) {
@@ -167,9 +167,15 @@ Status UstpWriter::Impl::encode_ink(const Bitmap& ink, PageParts& page) const {
                   static_cast<std::uint64_t>(ink.height()) * passes());
   const auto encode_band = [&](std::size_t i) -> Status {
     BlockParts& band = page.blocks[i];
+    const BlockProgress progress = sum.block();
     Result<EncodedBlock> encoded =
-        codec::encode_ink(ink, band.first_row, band.rows, sum.block());
+        codec::encode_ink(ink, band.first_row, band.rows, progress);
     if (!encoded) return encoded.error();
+    if (Status more = ProgressSum::complete(
+            progress, static_cast<std::uint64_t>(band.rows));
+        !more) {
+      return more;
+    }
     band.encoded = *std::move(encoded);
     band.checksum = codec::crc_rows(ink, band.first_row, band.rows);
     if (!options.verify) return {};
@@ -194,9 +200,13 @@ Status UstpWriter::Impl::encode_chains(const Drawing& drawing,
       codec::survey_chains(drawing.chains, drawing.canvas.y_axis);
   if (!survey) return survey.error();
   ProgressSum sum(options.progress, drawing.chains.size() * passes());
-  Result<EncodedBlock> encoded =
-      codec::encode_chains(drawing.chains, sum.block());
+  const BlockProgress progress = sum.block();
+  Result<EncodedBlock> encoded = codec::encode_chains(drawing.chains, progress);
   if (!encoded) return encoded.error();
+  if (Status more = ProgressSum::complete(progress, drawing.chains.size());
+      !more) {
+    return more;
+  }
   page.blocks.resize(1);
   BlockParts& block = page.blocks[0];
   block.encoded = *std::move(encoded);
