@@ -92,8 +92,8 @@ struct Header {
 
 Result<Header> read_header(Scanner& scan) {
   Header header;
-  if (scan.left() < 2) return scan.truncated();
   if (scan.peek() != 'P') return scan.corrupt("expected the magic of an image");
+  if (scan.left() < 2) return scan.truncated();
   scan.skip(1);
   header.kind = static_cast<char>(scan.peek());
   if (header.kind == '3' || header.kind == '6' || header.kind == '7') {

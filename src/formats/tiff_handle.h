@@ -17,7 +17,7 @@ namespace unstep {
 struct TiffLog {
   using Line = std::array<char, 200>;
   Line error{};  ///< the first one
-  std::array<Line, 4> warnings{};
+  std::array<Line, 8> warnings{};
   std::size_t warning_count = 0;  ///< may be more than are kept
   [[nodiscard]] bool has_error() const { return error[0] != '\0'; }
   void clear() { *this = TiffLog{}; }

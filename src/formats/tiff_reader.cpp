@@ -80,6 +80,8 @@ class TiffSource final : public RasterSource {
   Result<RasterPage> read(std::size_t index) override {
     if (Status there = go_to(index); !there) return there.error();
     const TiffShape shape(tiff_.get());
+    if (Status fits = check(shape, 0, false); !fits) return fits.error();
+    if (Status known = check_guesses(); !known) return known.error();
     RasterPage page;
     describe(shape, page);
     log_.clear();
@@ -115,6 +117,26 @@ class TiffSource final : public RasterSource {
     is_current_good_ = good == 1 && fine;
     if (!fine) return fine;
     if (good != 1) return Error{ErrorCode::corrupt, "no TIFF directory"};
+    return {};
+  }
+
+  /// Where the sizes of strips contradict the image, libtiff takes the bytes
+  /// that happen to follow for pixels.
+  [[nodiscard]] Status check_guesses() const {
+    const std::size_t kept =
+        std::min(directory_log_.warning_count, directory_log_.warnings.size());
+    for (std::size_t i = 0; i < kept; ++i) {
+      const std::string_view line = directory_log_.warnings[i].data();
+      if (line.find("Bogus") != std::string_view::npos) {
+        return Error{ErrorCode::corrupt, std::string(line)};
+      }
+    }
+    if (kept < directory_log_.warning_count) {
+      return Error{ErrorCode::corrupt, "more than " + std::to_string(kept) +
+                                           " faults in the directory; the "
+                                           "first: " +
+                                           directory_log_.warnings[0].data()};
+    }
     return {};
   }
 
