@@ -45,7 +45,7 @@ def all_coders(unstep):
               ["tifftopnm", "{file}"]),
         Coder("png", ".png", ["pnmtopng", "-compression", "9", "{pbm}"],
               ["pngtopnm", "{file}"],
-              after=["optipng", "-quiet", "-o2", "{file}"]),
+              after=["optipng", "-quiet", "-o1", "{file}"]),
     ]
     if shutil.which("jbig2"):
         decode = None
