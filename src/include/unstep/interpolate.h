@@ -82,8 +82,8 @@ enum class SineSource : std::uint8_t { cordic, meggitt, rom };
 /// Limits of InterpolatorOptions, checked where the option matters.
 inline constexpr int kMaxRateBits = 32;
 inline constexpr int kMinWordLength = 8;
-inline constexpr int kMaxWordLength = 40;
-inline constexpr int kMinRomBits = 2;
+inline constexpr int kMaxWordLength = 52;
+inline constexpr int kMinRomBits = 4;
 inline constexpr int kMaxRomBits = 10;
 inline constexpr std::int64_t kMaxPeriodLength = std::int64_t{1} << 30;
 
@@ -94,8 +94,8 @@ struct InterpolatorOptions {
   double feed = 16.0;
   double period = 1.0;
   int rate_bits = 0;    ///< n of B: 1..32, deltas < 2^n; 4 is the document's
-  int word_length = 0;  ///< n of D3: 8..40 digits
-  int rom_bits = 0;     ///< D4: table step 2^-s rad, s in 2..10
+  int word_length = 0;  ///< n of D3 and of D4's values: 8..52 digits
+  int rom_bits = 0;     ///< D4: table step 2^-s rad, s in 4..10
   RomForm rom_form = RomForm::values;
   RomCorrection rom_correction = RomCorrection::cubic;
   SineSource source = SineSource::cordic;  ///< of D5

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "unstep/grid.h"
+#include "unstep/interpolate.h"
+
+/// What the line methods share: magnitudes and the quadrant's steps.
+namespace unstep::interpolation {
+
+__extension__ typedef __int128 Int128;
+
+/// |value|, 2^31 for INT32_MIN.
+[[nodiscard]] constexpr std::int64_t magnitude(std::int32_t value) {
+  const std::int64_t wide = value;
+  return wide < 0 ? -wide : wide;
+}
+
+/// A segment as first-quadrant magnitudes and the signs that lead back: the
+/// symmetry every line method uses.
+struct Quadrant {
+  std::int64_t xk = 0;
+  std::int64_t yk = 0;
+  Step along_x = 0;
+  Step along_y = 2;
+
+  constexpr explicit Quadrant(Segment s)
+      : xk(magnitude(s.dx)),
+        yk(magnitude(s.dy)),
+        along_x(s.dx < 0 ? 4 : 0),
+        along_y(s.dy < 0 ? 6 : 2) {}
+
+  /// The diagonal code lies between the two, 7 between 6 and 0.
+  [[nodiscard]] constexpr Step diagonal() const {
+    if (along_x == 0) return along_y == 2 ? 1 : 7;
+    return along_y == 2 ? 3 : 5;
+  }
+};
+
+[[nodiscard]] constexpr Tick step_tick(Step step) {
+  const Point move = step_delta(step);
+  return {Tick::Kind::step, step, move.x, move.y};
+}
+
+[[nodiscard]] constexpr Tick idle_tick() { return {Tick::Kind::idle, 0, 0, 0}; }
+
+/// The tick of a move of -1..1 on each axis.
+[[nodiscard]] constexpr Tick unit_tick(int dx, int dy) {
+  // Freeman code by (dy + 1) * 3 + dx + 1; the centre is no step.
+  constexpr std::array<Step, 9> kCode{5, 6, 7, 4, 0, 0, 3, 2, 1};
+  if (dx == 0 && dy == 0) return idle_tick();
+  return step_tick(kCode[static_cast<std::size_t>((dy + 1) * 3 + dx + 1)]);
+}
+
+}  // namespace unstep::interpolation
