@@ -38,7 +38,7 @@ std::vector<std::int64_t> angles(std::int64_t from, std::int64_t to) {
 }
 
 TEST(DigitByDigit, HoldsItsConstants) {
-  // pi 2^60 = 3622009729038561421.3; four equal quarters are 1.3 units short.
+  // pi 2^60 = 3622009729038561421.2; four equal quarters are 1.2 units short.
   EXPECT_EQ(kPi, 3622009729038561420);
   EXPECT_EQ(interpolation::kScaledAtan[60], std::int64_t{1} << 60);
   for (int i = 0; i < 20; ++i) {

@@ -6,7 +6,9 @@
 #include "unstep/codec.h"
 #include "unstep/formats.h"
 #include "unstep/grid.h"
+#include "unstep/interpolate.h"
 #include "unstep/result.h"
+#include "unstep/reverse.h"
 #include "unstep/trace.h"
 
 /// Everything at once, and the version.
