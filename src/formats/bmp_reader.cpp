@@ -68,6 +68,12 @@ class BmpSource final : public RasterSource {
     if (header_.width < 0) {
       return Error{ErrorCode::corrupt, "byte 18: negative width"};
     }
+    if (!has_known_coding()) {
+      return Error{ErrorCode::corrupt,
+                   "byte 28: no such coding: " + std::to_string(header_.bits) +
+                       " bits a pixel, compression " +
+                       std::to_string(header_.compression)};
+    }
     return {};
   }
 
@@ -109,6 +115,20 @@ class BmpSource final : public RasterSource {
       value = value << 8 | (at + i < bytes_.size() ? bytes_[at + i] : 0U);
     }
     return value;
+  }
+
+  /// Plain rows of 1 to 32 bits, run lengths of 4 and 8, masks of 16 and 32.
+  [[nodiscard]] bool has_known_coding() const {
+    const std::uint32_t bits = header_.bits;
+    switch (header_.compression) {
+      case 0:
+        return bits == 1 || bits == 4 || bits == 8 || bits == 16 ||
+               bits == 24 || bits == 32;
+      case 1: return bits == 8;
+      case 2: return bits == 4;
+      case 3: return bits == 16 || bits == 32;
+      default: return false;
+    }
   }
 
   /// Palette entry i: blue, green, red. Entries that are not there are black.
