@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <initializer_list>
+#include <new>
 #include <string>
+#include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/interrupt.h"
 #include "cli/verbs.h"
 #include "unstep/unstep.h"
 
@@ -14,7 +18,8 @@ namespace unstep::cli {
 namespace {
 
 /// The verbs, in the order of --help.
-constexpr std::initializer_list<AddVerb> kVerbs = {};
+constexpr std::initializer_list<AddVerb> kVerbs = {
+    add_compress, add_decompress, add_verify, add_info, add_batch};
 
 /// The name of the verb the user chose, to point at its help.
 std::string help_command(const CLI::App& app) {
@@ -23,6 +28,19 @@ std::string help_command(const CLI::App& app) {
     command += ' ' + verb->get_name();
   }
   return command + " --help";
+}
+
+/// The arguments, last first as CLI11 takes them. It reads "[a,b]" as a list,
+/// but that is a legal file name and a glob; "./" in front changes neither.
+std::vector<std::string> reversed_arguments(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  for (std::string& argument : arguments) {
+    if (argument.starts_with('[') && argument.ends_with(']')) {
+      argument.insert(0, "./");
+    }
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
 }
 
 ExitCode run(int argc, char** argv) {
@@ -37,7 +55,8 @@ ExitCode run(int argc, char** argv) {
   Context context;
   for (const AddVerb add_verb : kVerbs) add_verb(app, context);
   try {
-    app.parse(argc, argv);
+    app.parse(argc > 0 ? reversed_arguments(argc, argv)
+                       : std::vector<std::string>());
   } catch (const CLI::Success& success) {
     app.exit(success);
     return ExitCode::ok;
@@ -46,6 +65,7 @@ ExitCode run(int argc, char** argv) {
                help_command(app));
     return ExitCode::usage;
   }
+  install_interrupt_handlers();
   return context.run();
 }
 
@@ -56,8 +76,10 @@ int main(int argc, char** argv) {
   using unstep::cli::ExitCode;
   try {
     return static_cast<int>(unstep::cli::run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "unstep: not enough memory\n");
+    return static_cast<int>(ExitCode::bad_input);
   } catch (const std::exception& error) {
-    // Nothing in the library throws; what arrives here is memory running out.
     fmt::print(stderr, "unstep: {}\n", error.what());
     return static_cast<int>(ExitCode::internal);
   }

@@ -20,4 +20,10 @@ struct Context {
 /// subcommand sets Context::run. One function per verb, in a file of its name.
 using AddVerb = void (*)(CLI::App& app, Context& context);
 
+void add_compress(CLI::App& app, Context& context);
+void add_decompress(CLI::App& app, Context& context);
+void add_verify(CLI::App& app, Context& context);
+void add_info(CLI::App& app, Context& context);
+void add_batch(CLI::App& app, Context& context);
+
 }  // namespace unstep::cli

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/output_format.h"
+#include "cli/verbs.h"
+#include "unstep/codec.h"
+#include "unstep/formats.h"
+
+/// The options that several verbs share: one name, one help line, one syntax.
+namespace unstep::cli {
+
+/// How an input drawing is read.
+struct InputOptions {
+  enum class Kind : std::uint8_t { automatic, raster, freeman };
+  Kind kind = Kind::automatic;
+  Threshold threshold;
+  DecodeLimits limits;
+  int jobs = 1;
+};
+
+/// How pages become a file.
+struct PackOptions {
+  bool verify = true;
+  int bands = 0;
+  Metadata metadata;
+};
+
+/// What a verb tells its user.
+struct ReportOptions {
+  bool quiet = false;
+  bool json = false;
+};
+
+void add_quiet(CLI::App& verb, bool& quiet);
+void add_force(CLI::App& verb, bool& force);
+void add_json(CLI::App& verb, bool& json);
+
+/// --jobs; all cores unless given.
+void add_jobs(CLI::App& verb, int& jobs);
+
+/// --max-pixels, --max-steps, --max-memory.
+void add_limits(CLI::App& verb, DecodeLimits& limits);
+
+/// --from and --threshold.
+void add_input_kind(CLI::App& verb, InputOptions& options);
+
+void add_threshold(CLI::App& verb, Threshold& threshold);
+
+/// --no-verify, --bands and --meta.
+void add_pack(CLI::App& verb, PackOptions& options);
+
+/// --to: the format to write.
+void add_to(CLI::App& verb, std::optional<OutputFormat>& format);
+
+/// --page: a page by its number from 1.
+void add_page(CLI::App& verb, std::uint64_t& page);
+
+/// One input path, required.
+void add_input(CLI::App& verb, std::string& path, const char* help);
+
+/// One or more input paths, required.
+void add_inputs(CLI::App& verb, std::vector<std::string>& paths,
+                const char* help);
+
+/// The last call for a verb: wraps the help of its options and puts the
+/// examples and the exit codes below them.
+void finish_verb(CLI::App& verb, const char* examples);
+
+}  // namespace unstep::cli

@@ -1,0 +1,108 @@
+#include "cli/pack.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "cli/message.h"
+
+namespace unstep::cli {
+namespace {
+
+void count_page(const Page& page, Packed& packed) {
+  ++packed.pages;
+  if (page.kind == PageKind::chains) {
+    packed.chains += page.drawing.chains.size();
+    for (const Chain& chain : page.drawing.chains) {
+      packed.steps += chain.steps.size();
+    }
+    return;
+  }
+  const Bitmap& ink = page.ink;
+  packed.pixels += ink.pixels();
+  packed.packed_bytes += (static_cast<std::uint64_t>(ink.width()) + 7) / 8 *
+                         static_cast<std::uint64_t>(ink.height());
+  packed.width = ink.width();
+  packed.height = ink.height();
+}
+
+Status add_page(UstpWriter& writer, const Page& page) {
+  return page.kind == PageKind::ink ? writer.add_page(page.ink, page.info)
+                                    : writer.add_page(page.drawing, page.info);
+}
+
+double share(std::uint64_t done, std::uint64_t total) {
+  return total == 0 ? 0.0
+                    : static_cast<double>(done) / static_cast<double>(total);
+}
+
+}  // namespace
+
+std::string on_page(std::size_t index, std::size_t count,
+                    std::string_view message) {
+  const std::string place = fmt::format("page {}: ", index + 1);
+  if (count == 1 || message.starts_with(place)) return std::string(message);
+  return place + std::string(message);
+}
+
+Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
+                    const Listener& listener) {
+  const std::size_t count = source.page_count();
+  Packed packed;
+  std::size_t index = 0;
+  std::uint64_t page_pixels = 0;
+  const auto progress = [&](std::uint64_t done, std::uint64_t total) {
+    const double part = share(done, total);
+    const auto pixels =
+        static_cast<std::uint64_t>(part * static_cast<double>(page_pixels));
+    return listener(
+        (static_cast<double>(index) + part) / static_cast<double>(count),
+        packed.pixels + pixels);
+  };
+  UstpWriter writer(
+      {options.verify, options.bands, jobs, options.metadata, progress});
+  for (; index < count; ++index) {
+    Result<SourcePage> page = source.read(index);
+    if (!page) {
+      return Error{page.error().code,
+                   on_page(index, count, page.error().message)};
+    }
+    page_pixels = page->page.ink.pixels();
+    if (const Status added = add_page(writer, page->page); !added) {
+      return Error{added.error().code,
+                   on_page(index, count, added.error().message)};
+    }
+    count_page(page->page, packed);
+    packed.lossless = packed.lossless && page->lossless;
+    for (const std::string& note : page->notes) {
+      packed.notes.push_back(on_page(index, count, note));
+    }
+    if (!progress(0, 1)) return Error{ErrorCode::cancelled, "interrupted"};
+  }
+  Result<std::vector<std::uint8_t>> bytes = writer.finish();
+  if (!bytes) return bytes.error();
+  packed.bytes = std::move(*bytes);
+  return packed;
+}
+
+std::string describe(const Packed& packed, bool verified) {
+  std::string text = counted(packed.pages, "page");
+  if (packed.pixels > 0 && packed.pages == 1) {
+    text += fmt::format(", {} x {} px", packed.width, packed.height);
+  } else if (packed.pixels > 0) {
+    text += fmt::format(", {} px", grouped(packed.pixels));
+  }
+  if (packed.pixels == 0) {
+    text += fmt::format(", {}, {}", counted(packed.chains, "chain"),
+                        counted(packed.steps, "step"));
+  }
+  text += ", " + counted(packed.bytes.size(), "byte");
+  if (packed.packed_bytes > 0) {
+    text += fmt::format(", {} of {} packed",
+                        per_cent(packed.bytes.size(), packed.packed_bytes),
+                        grouped(packed.packed_bytes));
+  }
+  return text + (verified ? ", verified" : ", not verified");
+}
+
+}  // namespace unstep::cli

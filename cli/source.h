@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/options.h"
+#include "unstep/codec.h"
+#include "unstep/formats.h"
+#include "unstep/result.h"
+
+/// A drawing file of any kind, read page by page.
+namespace unstep::cli {
+
+/// A page, and what the user should know of how it was read.
+struct SourcePage {
+  Page page;
+  bool lossless = true;
+  std::vector<std::string> notes;
+};
+
+/// Raster image, Freeman text or .ustp, recognised by content unless the
+/// options say.
+class Source {
+ public:
+  /// `path` "-" is standard input. Errors do not repeat the path.
+  static Result<Source> open(const std::string& path,
+                             const InputOptions& options);
+
+  /// "pbm", "tiff", "freeman", "ustp", ...
+  [[nodiscard]] std::string_view format() const { return format_; }
+  [[nodiscard]] std::size_t page_count() const;
+  [[nodiscard]] bool is_ustp() const { return ustp_.has_value(); }
+
+  /// Of the whole input file.
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  [[nodiscard]] std::uint32_t crc32() const { return crc32_; }
+
+  /// Page `index`, below page_count(). A Freeman page can be read once.
+  Result<SourcePage> read(std::size_t index);
+
+ private:
+  Source() = default;
+  static Result<Source> open_raster(std::vector<std::uint8_t> file,
+                                    const InputOptions& options);
+  static Result<Source> open_freeman(const std::vector<std::uint8_t>& file,
+                                     const InputOptions& options);
+  static Result<Source> recognise(const std::string& path,
+                                  std::vector<std::uint8_t> file,
+                                  const InputOptions& options);
+
+  std::string format_;
+  std::uint64_t bytes_ = 0;
+  std::uint32_t crc32_ = 0;
+  std::optional<RasterReader> raster_;
+  std::optional<Drawing> drawing_;
+  // The reader looks into the bytes, which therefore must not move.
+  std::unique_ptr<std::vector<std::uint8_t>> ustp_bytes_;
+  std::optional<UstpReader> ustp_;
+};
+
+/// CRC-32 (zlib) of a file's bytes.
+[[nodiscard]] std::uint32_t file_crc32(const std::vector<std::uint8_t>& file);
+
+}  // namespace unstep::cli
