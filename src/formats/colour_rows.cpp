@@ -136,6 +136,14 @@ Status apply_threshold(ColourRows& rows, std::uint32_t level, Bitmap& ink) {
   return {};
 }
 
+/// True if a fixed threshold would not part the two values.
+bool would_differ(const Values& values, const Threshold& threshold) {
+  if (threshold.kind != Threshold::Kind::fixed || !values.second) return false;
+  const auto level = static_cast<std::uint32_t>(threshold.level);
+  return (luminance(*values.first) < level) ==
+         (luminance(*values.second) < level);
+}
+
 }  // namespace
 
 Status read_colours(ColourRows& rows, std::int32_t width, std::int32_t height,
@@ -147,8 +155,9 @@ Status read_colours(ColourRows& rows, std::int32_t width, std::int32_t height,
   if (!values) return values.error();
   if (!values->more) {
     settle(*values, page);
-    if (threshold.kind != Threshold::Kind::none) {
-      page.notes.emplace_back("at most two values: no threshold needed");
+    if (would_differ(*values, threshold)) {
+      page.notes.emplace_back(
+          "at most two values: the darker is ink, the threshold is not used");
     }
     return {};
   }

@@ -143,6 +143,10 @@ TEST(PngReader, ThresholdsWhenAskedTo) {
   page = read_raster(make_png(recipe), test::fixed_threshold(101));
   EXPECT_EQ(packed_rows(page.ink, false), Bytes{0xcc});
   EXPECT_TRUE(page.lossless);
+  EXPECT_TRUE(has_note(page, "not used"));
+  page = read_raster(make_png(recipe), test::fixed_threshold(201));
+  EXPECT_TRUE(page.lossless);
+  EXPECT_FALSE(has_note(page, "not used"));
 }
 
 TEST(PngReader, WeighsColoursByRec601) {
