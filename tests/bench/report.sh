@@ -1,5 +1,6 @@
 #!/bin/bash
-# Measures everything and rewrites the results in docs/benchmarks.md.
+# Measures everything and rewrites the results in docs/benchmarks.md and the
+# table that opens README.md.
 #
 # usage: tests/bench/report.sh FOLDER [option of compare.py]...
 #
@@ -26,6 +27,9 @@ results=build/release/bench
 mkdir -p "$results"
 tests/bench/compare.py --json "$results/compare.json" "$@" "$folder" \
   >"$results/compare.md"
+tests/bench/compare.py --runs 1 --json "$results/samples.json" samples \
+  >"$results/samples.md"
+tests/bench/readme_table.py "$results/samples.json"
 build/release/tests/bench/unstep_bench "$folder" >"$results/library.md"
 missed=0
 tests/bench/limits.py --json "$results/limits.json" >"$results/limits.md" ||
