@@ -34,7 +34,7 @@ constexpr const char* kExamples =
     "  unstep compress photo.jpg --threshold otsu -o photo.ustp\n"
     "  unstep compress page.tif --meta title='Plan 7' --meta author=me\n"
     "  unstep compress traced.fc               chain codes, step for step\n"
-    "  pngtopam a.png | unstep compress - -o - > a.ustp\n";
+    "  pdftoppm -mono a.pdf | unstep compress - -o a.ustp\n";
 
 nlohmann::ordered_json to_json(const CompressOptions& options,
                                const Source& source, const Packed& packed) {
@@ -113,11 +113,11 @@ ExitCode compress(CompressOptions options) {
 
 void add_compress(CLI::App& app, Context& context) {
   const auto options = std::make_shared<CompressOptions>();
-  CLI::App* verb = app.add_subcommand(
-      "compress",
-      "Write a drawing as a .ustp file: PBM, PGM, PNG, TIFF, BMP or JPEG "
-      "raster, or Freeman chain text");
-  add_input(*verb, options->input, "The drawing; - is standard input");
+  CLI::App* verb =
+      app.add_subcommand("compress", "Write a drawing as a .ustp file");
+  add_input(*verb, options->input,
+            "The drawing: PBM, PGM, PNG, TIFF, BMP, JPEG or Freeman chain "
+            "text; - is standard input");
   verb->add_option("-o,--output", options->output,
                    "The .ustp file; - is standard output [IN with .ustp]")
       ->type_name("OUT");

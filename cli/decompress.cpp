@@ -231,9 +231,7 @@ ExitCode decompress(DecompressOptions options) {
 void add_decompress(CLI::App& app, Context& context) {
   const auto options = std::make_shared<DecompressOptions>();
   CLI::App* verb = app.add_subcommand(
-      "decompress",
-      "Write the drawing of a .ustp file as PNG, PBM, TIFF or "
-      "Freeman chain text");
+      "decompress", "Turn a .ustp file back into images or chains");
   add_input(*verb, options->input, "The .ustp file; - is standard input");
   verb->add_option("-o,--output", options->output,
                    "The file to write; - is standard output [IN with .png, "

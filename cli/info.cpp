@@ -256,8 +256,7 @@ ExitCode info(const InfoOptions& options) {
 
 void add_info(CLI::App& app, Context& context) {
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App* verb = app.add_subcommand(
-      "info", "Show what .ustp files hold, without decoding the drawings");
+  CLI::App* verb = app.add_subcommand("info", "Show what .ustp files hold");
   add_inputs(*verb, options->inputs, "The .ustp files; - is standard input");
   verb->add_flag("--json", options->json,
                  "A JSON list with one object for each readable file");

@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <initializer_list>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/exit_code.h"
@@ -69,13 +71,25 @@ ExitCode run(int argc, char** argv) {
   return context.run();
 }
 
+/// What was printed may still be in the buffer, and the disk full.
+ExitCode flush_output(ExitCode code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  fmt::print(stderr, "unstep: standard output: cannot write: {}\n",
+             std::generic_category().message(errno));
+  return ExitCode::io;
+}
+
 }  // namespace
 }  // namespace unstep::cli
 
 int main(int argc, char** argv) {
   using unstep::cli::ExitCode;
   try {
-    return static_cast<int>(unstep::cli::run(argc, argv));
+    return static_cast<int>(
+        unstep::cli::flush_output(unstep::cli::run(argc, argv)));
+  } catch (const std::system_error& error) {
+    fmt::print(stderr, "unstep: {}\n", error.what());
+    return static_cast<int>(ExitCode::io);
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "unstep: not enough memory\n");
     return static_cast<int>(ExitCode::bad_input);

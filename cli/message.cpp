@@ -48,7 +48,9 @@ std::string per_cent(std::uint64_t part, std::uint64_t whole) {
 }
 
 ExitCode report_error(std::string_view name, const Error& error) {
-  fmt::print(stderr, "unstep: {}: {}\n", name, printable(error.message));
+  const bool stopped = error.code == ErrorCode::cancelled;
+  fmt::print(stderr, "unstep: {}: {}\n", name,
+             stopped ? "interrupted" : printable(error.message));
   return exit_code_of(error.code);
 }
 

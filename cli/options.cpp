@@ -218,7 +218,6 @@ void finish_verb(CLI::App& verb, const char* examples) {
   for (CLI::Option* option : verb.get_options()) {
     option->description(wrapped(option->get_description(), kHelpWidth));
   }
-  verb.description(wrapped(verb.get_description(), 79));
   verb.footer(fmt::format("Examples:\n{}\n{}", examples, kExitCodeHelp));
 }
 

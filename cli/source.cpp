@@ -33,7 +33,6 @@ Result<Source> Source::open(const std::string& path,
   Result<std::vector<std::uint8_t>> file =
       read_file(path, options.limits.max_memory);
   if (!file) return file.error();
-  if (file->empty()) return Error{ErrorCode::truncated, "the file is empty"};
   const std::uint64_t bytes = file->size();
   const std::uint32_t crc = file_crc32(*file);
   Result<Source> source = recognise(path, std::move(*file), options);
@@ -53,6 +52,8 @@ Result<Source> Source::recognise(const std::string& path,
   if (options.kind == Kind::freeman || has_suffix(path, ".fc")) {
     return open_freeman(file, options);
   }
+  // An empty text is a drawing without chains; an empty image is none.
+  if (file.empty()) return Error{ErrorCode::truncated, "the file is empty"};
   auto kept = std::make_unique<std::vector<std::uint8_t>>(std::move(file));
   Result<UstpReader> ustp =
       UstpReader::open(*kept, {options.limits, options.jobs, {}});

@@ -177,8 +177,7 @@ ExitCode verify(const VerifyOptions& options) {
 void add_verify(CLI::App& app, Context& context) {
   const auto options = std::make_shared<VerifyOptions>();
   CLI::App* verb = app.add_subcommand(
-      "verify",
-      "Test .ustp files for damage, or compare a drawing with a .ustp file");
+      "verify", "Test .ustp files, or compare one with a drawing");
   add_inputs(*verb, options->inputs,
              "One or more .ustp files to test, or a drawing of any kind and "
              "the .ustp file to compare it with");

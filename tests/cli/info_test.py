@@ -2,9 +2,10 @@
 
 import json
 import os
+import subprocess
 
 import harness
-from harness import pbm, pixels
+from harness import PROGRAM, pbm, pixels
 
 
 class Info(harness.CliTest):
@@ -77,6 +78,15 @@ class Info(harness.CliTest):
     def test_standard_input(self):
         out = self.expect(["info", "-"], stdin=self.read("a.ustp")).out
         self.assertTrue(out.startswith("standard input\n  format: 0"))
+
+    def test_full_disk_is_not_success(self):
+        with open("/dev/full", "wb") as full:
+            process = subprocess.run([PROGRAM, "info", "a.ustp"],
+                                     cwd=self.folder, stdout=full,
+                                     stderr=subprocess.PIPE, check=False)
+        self.assertEqual(process.returncode, 4)
+        self.assertEqual(process.stderr, b"unstep: standard output: cannot "
+                         b"write: No space left on device\n")
 
     def test_missing_file(self):
         self.expect_error(

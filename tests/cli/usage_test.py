@@ -21,7 +21,7 @@ class Usage(harness.CliTest):
             out = self.expect([verb, "--help"]).out
             self.assertIn("Examples:\n  unstep " + verb, out)
             self.assertIn("Exit codes:\n", out)
-            self.assertTrue(all(len(line) <= 100 for line in out.split("\n")),
+            self.assertTrue(all(len(line) <= 80 for line in out.split("\n")),
                             verb)
 
     def test_no_verb(self):
