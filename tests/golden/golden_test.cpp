@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -128,27 +127,40 @@ TEST(Golden, ContainerOfTheSamePayloadsHasTheSameBytes) {
   EXPECT_GE(compared, 8);
 }
 
-/// The example of docs/format.md: rows "offset  hex bytes  words" between two
-/// marks, then the drawing in '.' and '#'.
+bool is_drawing_row(const std::string& line) {
+  return line.size() == 12 &&
+         line.find_first_not_of(".#", 4) == std::string::npos;
+}
+
+/// Appends the bytes of "  offset  hex bytes  words"; any other line is none.
+void append_example_bytes(const std::string& line, Bytes& file) {
+  std::istringstream in(line);
+  std::size_t offset = 0;
+  if (!(in >> offset)) return;
+  EXPECT_EQ(offset, file.size()) << line;
+  // One blank parts the bytes, two part them from the words.
+  std::size_t at = line.find("  ", line.find_first_of("0123456789")) + 2;
+  for (;; at += 3) {
+    file.push_back(
+        static_cast<std::uint8_t>(std::stoul(line.substr(at, 2), nullptr, 16)));
+    if (line.compare(at + 2, 2, "  ") == 0) return;
+  }
+}
+
+/// The example of docs/format.md stands between two marks: the bytes, then
+/// the drawing in '.' and '#'.
 TEST(Golden, ExampleOfTheFormatDescriptionIsTrue) {
   std::istringstream doc(read_text(source_dir() / "docs" / "format.md"));
   std::string line;
   while (std::getline(doc, line) && line != "<!-- example begins -->") {
   }
-  const std::regex row(R"( +(\d+)  ((?:[0-9a-f]{2} )+) +.*)");
-  const std::regex drawing(R"( +([.#]{8}))");
   Bytes file;
   std::vector<std::string> rows;
-  std::smatch match;
   while (std::getline(doc, line) && line != "<!-- example ends -->") {
-    if (std::regex_match(line, match, row)) {
-      EXPECT_EQ(std::stoul(match[1]), file.size()) << line;
-      std::istringstream hex(match[2].str());
-      for (unsigned byte = 0; hex >> std::hex >> byte;) {
-        file.push_back(static_cast<std::uint8_t>(byte));
-      }
-    } else if (std::regex_match(line, match, drawing)) {
-      rows.push_back(match[1]);
+    if (is_drawing_row(line)) {
+      rows.push_back(line.substr(4));
+    } else {
+      append_example_bytes(line, file);
     }
   }
   ASSERT_EQ(rows.size(), 8U);
