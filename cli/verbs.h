@@ -25,5 +25,7 @@ void add_decompress(CLI::App& app, Context& context);
 void add_verify(CLI::App& app, Context& context);
 void add_info(CLI::App& app, Context& context);
 void add_batch(CLI::App& app, Context& context);
+void add_interpolate(CLI::App& app, Context& context);
+void add_reverse(CLI::App& app, Context& context);
 
 }  // namespace unstep::cli

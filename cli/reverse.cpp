@@ -1,0 +1,206 @@
+#include "unstep/reverse.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "cli/exit_code.h"
+#include "cli/verbs.h"
+
+namespace unstep::cli {
+namespace {
+
+struct Request {
+  std::string method = "device";
+  std::string input = "freeman";
+  bool table = false;
+};
+
+ExitCode fail(ExitCode code, const std::string& what) {
+  fmt::print(stderr, "unstep reverse: {}\n", what);
+  return code;
+}
+
+/// Where the reader is, and what it makes of a byte.
+class StepReader {
+ public:
+  explicit StepReader(bool text) : text_(text) {}
+
+  enum class Got { nothing, step, error };
+
+  Got take(unsigned char byte, Step& step) {
+    ++offset_;
+    ++column_;
+    if (text_) {
+      if (byte == '\n') {
+        ++line_;
+        column_ = 0;
+      }
+      if (byte == ' ' || byte == '\t' || byte == '\r' || byte == '\n')
+        return Got::nothing;
+      if (byte < '0' || byte > '7') return refuse(byte, "no Freeman code 0..7");
+      byte = static_cast<unsigned char>(byte - '0');
+    } else if (byte > 7) {
+      return refuse(byte, "no Freeman code 0..7");
+    }
+    if ((byte & 1) != 0)
+      return refuse(text_ ? static_cast<unsigned char>(byte + '0') : byte,
+                    "a diagonal step; the device takes 0, 2, 4 and 6");
+    ++steps_;
+    step = byte;
+    return Got::step;
+  }
+
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+
+ private:
+  Got refuse(unsigned char byte, const char* why) {
+    const bool printable = text_ && byte >= ' ' && byte < 0x7F;
+    const std::string shown = printable
+                                  ? fmt::format("'{}'", static_cast<char>(byte))
+                                  : fmt::format("byte 0x{:02x}", byte);
+    const std::string place =
+        text_ ? fmt::format("line {}, column {}", line_, column_)
+              : fmt::format("byte {}", offset_);
+    problem_ = fmt::format("{}: {} is {}", place, shown, why);
+    return Got::error;
+  }
+
+  bool text_;
+  std::uint64_t offset_ = 0;
+  std::uint64_t line_ = 1;
+  std::uint64_t column_ = 0;
+  std::uint64_t steps_ = 0;
+  std::string problem_;
+};
+
+/// Feeds every step of standard input to `use` as it comes; `idle` runs before
+/// every read that may wait.
+template <class Use, class Idle>
+ExitCode read_steps(bool text, Use use, Idle idle) {
+  StepReader reader(text);
+  std::array<unsigned char, 1 << 16> buffer;
+  for (;;) {
+    if (!idle()) return fail(ExitCode::io, "cannot write to standard output");
+    const ssize_t n = read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0)
+      return fail(ExitCode::io, fmt::format("cannot read standard input: {}",
+                                            std::strerror(errno)));
+    if (n == 0) break;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+      Step step = 0;
+      const StepReader::Got got = reader.take(buffer[i], step);
+      if (got == StepReader::Got::error)
+        return fail(ExitCode::bad_input, reader.problem());
+      if (got == StepReader::Got::step) use(step);
+    }
+  }
+  if (reader.steps() == 0)
+    return fail(ExitCode::bad_input, "standard input holds no steps");
+  return ExitCode::ok;
+}
+
+void print_row(Step step, const DeviceRegisters& device) {
+  fmt::print("{} {} {} {}\n", step, device.x, device.y, device.f);
+}
+
+void print_row(Step step, const GateNet& net) {
+  const DeviceRegisters r = net.registers();
+  const GateNet::Signals& s = net.signals();
+  fmt::print("{} {} {} {} {} {} {} {}\n", step, r.x, r.y, r.f, int{s.and15},
+             int{s.and5}, int{s.and16}, int{s.or17});
+}
+
+template <class Device>
+ExitCode run(const Request& request) {
+  const bool text = request.input == "freeman";
+  // A file is checked as a whole before anything is printed; a stream's
+  // segments are out before the stream can turn bad.
+  struct stat status {};
+  const bool file =
+      fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode);
+  if (file) {
+    const off_t start = lseek(STDIN_FILENO, 0, SEEK_CUR);
+    const ExitCode checked = read_steps(
+        text, [](Step) {}, [] { return true; });
+    if (checked != ExitCode::ok) return checked;
+    lseek(STDIN_FILENO, start, SEEK_SET);
+  }
+
+  BasicDeviceReverse<Device> device;
+  const char* prefix = request.table ? "segment " : "";
+  const auto print_segment = [prefix](Segment s) {
+    fmt::print("{}{} {}\n", prefix, s.dx, s.dy);
+  };
+  const auto use = [&](Step step) {
+    Segment closed;
+    const Pushed pushed = device.push(step, closed);
+    // No segment is broken by its first step: one step in the counters means
+    // that the segment was closed before this one.
+    const DeviceRegisters now = device.device().registers();
+    const bool before = now.x + now.y == 1;
+    if (pushed == Pushed::segment && before) print_segment(closed);
+    if (request.table) print_row(step, device.device());
+    if (pushed == Pushed::segment && !before) print_segment(closed);
+  };
+  const auto flush = [file] { return file || std::fflush(stdout) == 0; };
+  const ExitCode code = read_steps(text, use, flush);
+  if (code != ExitCode::ok) {
+    std::fflush(stdout);
+    return code;
+  }
+  Segment last;
+  if (device.finish(last)) print_segment(last);
+  if (std::fflush(stdout) != 0)
+    return fail(ExitCode::io, "cannot write to standard output");
+  return ExitCode::ok;
+}
+
+ExitCode reverse_verb(const Request& request) {
+  if (request.input != "freeman" && request.input != "bytes")
+    return fail(
+        ExitCode::usage,
+        fmt::format("unknown input '{}': freeman or bytes", request.input));
+  if (request.method == "device") return run<DeviceRegisters>(request);
+  if (request.method == "gate-level") return run<GateNet>(request);
+  return fail(
+      ExitCode::usage,
+      fmt::format("unknown method '{}': device or gate-level", request.method));
+}
+
+}  // namespace
+
+void add_reverse(CLI::App& app, Context& context) {
+  auto request = std::make_shared<Request>();
+  CLI::App* verb = app.add_subcommand(
+      "reverse", "Turn unit steps from standard input into segments");
+  verb->add_option("--method", request->method,
+                   "device (SU 1089551) or gate-level (the same as a net)")
+      ->capture_default_str();
+  verb->add_option("--input", request->input,
+                   "freeman: digits, white space ignored; bytes: 0..7")
+      ->capture_default_str();
+  verb->add_flag("--table", request->table,
+                 "A row per step: step X Y F, and 'segment DX DY' lines");
+  verb->footer(
+      "Prints 'DX DY' for every segment as soon as its last step has come.\n"
+      "Codes are 0 (east), 2 (north), 4, 6; diagonal steps are refused.\n\n"
+      "  echo 02002002000 | unstep reverse --table\n"
+      "  unstep interpolate 70 30 | unstep reverse\n");
+  verb->callback([request, &context] {
+    context.run = [request] { return reverse_verb(*request); };
+  });
+}
+
+}  // namespace unstep::cli

@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""Runs `unstep reverse` as a user would. UNSTEP_PROGRAM names it."""
+
+import os
+import pty
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["UNSTEP_PROGRAM"]
+
+FIG_5 = """\
+0 1 0 0
+2 1 1 -1
+0 2 1 0
+0 3 1 1
+2 3 2 -2
+0 4 2 0
+0 5 2 2
+2 5 3 -3
+0 6 3 0
+0 7 3 3
+0 8 3 6
+segment 8 3
+"""
+
+
+def run(text, *words):
+    return subprocess.run([PROGRAM, "reverse", *words], input=text,
+                          capture_output=True, check=False)
+
+
+class Stream:
+    """The program behind pipes; steps go in one at a time."""
+
+    def __init__(self, *words, stdin=subprocess.PIPE):
+        self.process = subprocess.Popen([PROGRAM, "reverse", *words],
+                                        stdin=stdin, stdout=subprocess.PIPE)
+
+    def send(self, data):
+        self.process.stdin.write(data)
+        self.process.stdin.flush()
+
+    def line(self):
+        return self.process.stdout.readline().decode()
+
+    def close(self):
+        self.process.stdin.close()
+        rest = self.process.stdout.read().decode()
+        self.process.stdout.close()
+        return rest, self.process.wait()
+
+
+class Reverse(unittest.TestCase):
+    def output(self, text, *words):
+        done = run(text, *words)
+        self.assertEqual(done.stderr, b"")
+        self.assertEqual(done.returncode, 0)
+        return done.stdout.decode()
+
+    def refused(self, code, message, text, *words, printed=b""):
+        done = run(text, *words)
+        self.assertEqual(done.stdout, printed)
+        self.assertEqual(done.returncode, code)
+        self.assertIn(message, done.stderr.decode())
+
+    def test_table_is_that_of_fig_5(self):
+        self.assertEqual(self.output(b"02002002000\n", "--table"), FIG_5)
+        self.assertEqual(self.output(b"02002002000"), "8 3\n")
+
+    def test_gate_level_gives_the_output_columns_of_fig_5(self):
+        rows = self.output(b"02002002000", "--method", "gate-level",
+                           "--table").splitlines()
+        self.assertEqual(rows[0], "0 1 0 0 1 0 0 0")
+        self.assertEqual(rows[1], "2 1 1 -1 0 1 0 0")
+        self.assertEqual(rows[10], "0 8 3 6 0 0 1 1")
+        self.assertEqual(rows[11], "segment 8 3")
+
+    def test_bytes_are_steps(self):
+        self.assertEqual(self.output(bytes([4, 4, 6]), "--input", "bytes"),
+                         "-2 -1\n")
+
+    def test_a_change_of_sign_closes_before_the_step(self):
+        self.assertEqual(self.output(b"00 44\n"), "2 0\n-2 0\n")
+        self.assertEqual(self.output(b"0 4", "--table"),
+                         "0 1 0 0\nsegment 1 0\n4 1 0 0\nsegment -1 0\n")
+
+    def test_every_segment_is_seen_before_the_next_step_is_sent(self):
+        stream = Stream()
+        for _ in range(50):
+            for step in b"02002002000":
+                stream.send(bytes([step]))
+            self.assertEqual(stream.line(), "8 3\n")
+        self.assertEqual(stream.close(), ("", 0))
+
+    def test_a_sign_change_is_seen_when_the_new_sign_arrives(self):
+        stream = Stream("--input", "bytes")
+        for step in (0, 0, 0):
+            stream.send(bytes([step]))
+        for step, seen in ((4, "3 0\n"), (0, "-1 0\n"), (4, "1 0\n")):
+            stream.send(bytes([step]))
+            self.assertEqual(stream.line(), seen)
+        self.assertEqual(stream.close(), ("-1 0\n", 0))
+
+    def test_table_rows_come_step_by_step(self):
+        stream = Stream("--table")
+        for step, row in zip(b"02002002000", FIG_5.splitlines()):
+            stream.send(bytes([step]))
+            self.assertEqual(stream.line(), row + "\n")
+        self.assertEqual(stream.line(), "segment 8 3\n")
+        self.assertEqual(stream.close(), ("", 0))
+
+    def test_a_terminal_gets_segments_at_once(self):
+        master, slave = pty.openpty()
+        stream = Stream(stdin=slave)
+        os.close(slave)
+        os.write(master, b"02002002000\n")
+        self.assertEqual(stream.line(), "8 3\n")
+        os.write(master, b"22\n\x04")
+        self.assertEqual(stream.line(), "0 2\n")
+        self.assertEqual(stream.process.wait(), 0)
+        stream.process.stdout.close()
+        os.close(master)
+
+    def test_forward_output_is_reverse_input(self):
+        steps = subprocess.run([PROGRAM, "interpolate", "-70", "30"],
+                               capture_output=True, check=True).stdout
+        segments = self.output(steps).splitlines()
+        self.assertEqual((sum(int(s.split()[0]) for s in segments),
+                          sum(int(s.split()[1]) for s in segments)),
+                         (-70, 30))
+
+    def test_bad_input_is_named_with_its_place(self):
+        self.refused(3, "holds no steps", b"")
+        self.refused(3, "holds no steps", b" \n\n")
+        self.refused(3, "line 2, column 3: 'x' is no Freeman code",
+                     b"00\n00x0\n")
+        self.refused(3, "line 1, column 3: '1' is a diagonal step", b"001")
+        self.refused(3, "byte 2: byte 0x30 is no Freeman code", b"\x000",
+                     "--input", "bytes")
+        self.refused(3, "byte 1: byte 0x07 is a diagonal step", b"\x07",
+                     "--input", "bytes")
+        self.refused(2, "unknown method 'dss2'", b"0", "--method", "dss2")
+        self.refused(2, "unknown input 'hex'", b"0", "--input", "hex")
+
+    def test_a_bad_file_prints_no_segments_at_all(self):
+        with tempfile.TemporaryFile() as file:
+            file.write(b"0044220066x")
+            file.seek(0)
+            done = subprocess.run([PROGRAM, "reverse"], stdin=file,
+                                  capture_output=True, check=False)
+        self.assertEqual(done.stdout, b"")
+        self.assertEqual(done.returncode, 3)
+        # A stream cannot be known to turn bad: what was complete is out.
+        self.refused(3, "'x' is no Freeman code", b"0044x", printed=b"2 0\n")
+
+    def test_a_good_file_is_read_once(self):
+        with tempfile.TemporaryFile() as file:
+            file.write(b"0044")
+            file.seek(0)
+            done = subprocess.run([PROGRAM, "reverse"], stdin=file,
+                                  capture_output=True, check=False)
+        self.assertEqual(done.stdout, b"2 0\n-2 0\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
