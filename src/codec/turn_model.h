@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "codec/crack_map.h"
+#include "codec/dss_state.h"
+#include "codec/match_model.h"
+#include "entropy/counter.h"
+#include "entropy/mixer.h"
+
+namespace unstep::codec {
+
+/// What a contour does at a grid point, relative to the way it came.
+enum Turn : std::uint8_t { kStraight = 0, kLeft = 1, kRight = 2 };
+
+[[nodiscard]] constexpr Quarter turned(Quarter direction, Turn turn) {
+  return (direction + (turn == kLeft ? 3 : turn == kRight ? 1 : 0)) & 3;
+}
+
+/// Predicts the turns of contours walked one by one. Encoder and decoder run
+/// the same object in step; everything is integer.
+class TurnModel {
+ public:
+  static constexpr std::size_t kContexts = 16;
+
+  /// `cracks` must outlive the model; 2^table_bits slots per context.
+  TurnModel(const CrackMap& cracks, int table_bits);
+
+  /// A contour starts at a point and goes east. `ink`: ink is on the right.
+  void begin(CrackMap::Address point, bool ink);
+
+  /// The walk has taken a step along `direction` (the crack is marked) and
+  /// stands at the next point; codes the turn made there. `allowed` has bit t
+  /// set for each turn t that is possible; at least two are.
+  template <class Coder>
+  Turn code(Coder& coder, Turn turn, unsigned allowed) {
+    predict();
+    bool bends = true;
+    if ((allowed & 1U << kStraight) != 0) {
+      bends = coder.code(turn != kStraight, probability(0));
+      update(0, bends);
+      if (!bends) return kStraight;
+    }
+    if ((allowed & 1U << kLeft) == 0) return kRight;
+    if ((allowed & 1U << kRight) == 0) return kLeft;
+    const bool right = coder.code(turn == kRight, probability(1));
+    update(1, right);
+    return right ? kRight : kLeft;
+  }
+
+  /// Advances: the turn taken at the point, coded or forced, and the step
+  /// after it.
+  void advance(Turn turn);
+
+ private:
+  /// One context's memory: a counter for "bends" and one for "right".
+  struct Slot {
+    std::array<std::uint16_t, 2> p;
+    std::array<std::uint8_t, 2> n;
+    std::uint16_t check;
+  };
+  struct Sight {  ///< the nearest parallel crack on one side
+    unsigned distance = 0;
+    unsigned shape = 0;
+  };
+
+  void predict();
+  int probability(unsigned node);
+  void update(unsigned node, bool bit);
+  [[nodiscard]] unsigned patch() const;
+  [[nodiscard]] Sight look(int side) const;
+  void set_context(std::size_t i, std::uint64_t value);
+
+  const CrackMap& cracks_;
+  std::vector<Slot> slots_;
+  int table_bits_;
+  entropy::Mixer<2 * kContexts + 8, 3> mixer_;
+
+  // Where the walk is.
+  CrackMap::Address point_ = 0;
+  Quarter direction_ = 0;
+  bool ink_ = false;
+
+  // What it did.
+  std::uint64_t history_ = 0;  ///< two bits a turn, latest lowest
+  std::array<std::uint32_t, 4> runs_{};  ///< steps since the last turns
+  std::array<std::uint8_t, 3> turns_{};  ///< the last bends
+  std::uint32_t steps_ = 0;
+  struct Trail {
+    std::int32_t x, y;
+    std::int64_t area;
+  };
+  std::array<Trail, 128> trail_{};  ///< the last positions, by steps_ % 128
+  Trail here_{};
+  DssState dss_;
+  MatchModel match_;
+
+  // The prediction in progress.
+  std::array<Slot*, kContexts> active_{};
+  std::array<std::size_t, 3> base_selectors_{};
+};
+
+}  // namespace unstep::codec

@@ -1,0 +1,160 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "entropy/logistic.h"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace unstep::entropy {
+
+/// Sums of products and weight updates over N int16 inputs. Weights are int32
+/// with 24 fractional bits; the product uses their upper 16 bits (12
+/// fractional). Sums wrap modulo 2^32 in both forms, so the SSE2 form and the
+/// portable one (the reference) give the same bits always.
+/// REQUIRES: n is a multiple of 8.
+namespace mixing {
+
+inline std::int32_t dot_reference(const std::int16_t* x, const std::int32_t* w,
+                                  std::size_t n) {
+  std::uint32_t sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::int32_t w16 = w[i] >> 12;
+    w16 = w16 > 32767 ? 32767 : w16 < -32768 ? -32768 : w16;
+    sum += static_cast<std::uint32_t>(x[i] * w16);
+  }
+  return static_cast<std::int32_t>(sum);
+}
+
+inline void train_reference(const std::int16_t* x, std::int32_t* w,
+                            std::size_t n, std::int16_t error) {
+  for (std::size_t i = 0; i < n; ++i) {
+    w[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(w[i]) +
+                                     static_cast<std::uint32_t>(
+                                         (x[i] * error) >> 4));
+  }
+}
+
+#if defined(__SSE2__)
+
+inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w,
+                        std::size_t n) {
+  __m128i sum = _mm_setzero_si128();
+  for (std::size_t i = 0; i < n; i += 8) {
+    const auto* wp = reinterpret_cast<const __m128i*>(w + i);
+    const __m128i w16 =
+        _mm_packs_epi32(_mm_srai_epi32(_mm_loadu_si128(wp), 12),
+                        _mm_srai_epi32(_mm_loadu_si128(wp + 1), 12));
+    const __m128i x16 =
+        _mm_loadu_si128(reinterpret_cast<const __m128i*>(x + i));
+    sum = _mm_add_epi32(sum, _mm_madd_epi16(x16, w16));
+  }
+  sum = _mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0x4e));
+  sum = _mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0xb1));
+  return _mm_cvtsi128_si32(sum);
+}
+
+inline void train(const std::int16_t* x, std::int32_t* w, std::size_t n,
+                  std::int16_t error) {
+  const __m128i e16 = _mm_set1_epi16(error);
+  for (std::size_t i = 0; i < n; i += 8) {
+    auto* wp = reinterpret_cast<__m128i*>(w + i);
+    const __m128i x16 =
+        _mm_loadu_si128(reinterpret_cast<const __m128i*>(x + i));
+    const __m128i low = _mm_mullo_epi16(x16, e16);
+    const __m128i high = _mm_mulhi_epi16(x16, e16);
+    const __m128i d0 = _mm_srai_epi32(_mm_unpacklo_epi16(low, high), 4);
+    const __m128i d1 = _mm_srai_epi32(_mm_unpackhi_epi16(low, high), 4);
+    _mm_storeu_si128(wp, _mm_add_epi32(_mm_loadu_si128(wp), d0));
+    _mm_storeu_si128(wp + 1, _mm_add_epi32(_mm_loadu_si128(wp + 1), d1));
+  }
+}
+
+#else
+
+inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w,
+                        std::size_t n) {
+  return dot_reference(x, w, n);
+}
+
+inline void train(const std::int16_t* x, std::int32_t* w, std::size_t n,
+                  std::int16_t error) {
+  train_reference(x, w, n, error);
+}
+
+#endif
+
+}  // namespace mixing
+
+/// Gated logistic mixing (M. Mahoney, PAQ; C. Mattern 2016): kSets weight
+/// vectors, each picked by its own selector and trained on its own error; the
+/// prediction is the mean of their outputs in the logistic domain.
+template <std::size_t kInputs, std::size_t kSets>
+class Mixer {
+  static_assert(kInputs % 8 == 0);
+
+ public:
+  /// `selectors[s]`: how many vectors set s chooses from. `initial`: the
+  /// weights every vector starts with, 24 fractional bits.
+  Mixer(const std::array<std::size_t, kSets>& selectors,
+        const std::array<std::int32_t, kInputs>& initial) {
+    for (std::size_t s = 0; s < kSets; ++s) {
+      weights_[s].reserve(selectors[s] * kInputs);
+      for (std::size_t k = 0; k < selectors[s]; ++k) {
+        weights_[s].insert(weights_[s].end(), initial.begin(), initial.end());
+      }
+      ages_[s].resize(selectors[s]);
+    }
+  }
+
+  /// The inputs of the next prediction, stretches; unused ones stay 0.
+  [[nodiscard]] std::array<std::int16_t, kInputs>& inputs() { return inputs_; }
+
+  /// Predicts under the chosen vectors; returns a stretch.
+  int mix(const std::array<std::size_t, kSets>& chosen) {
+    std::int32_t total = 0;
+    for (std::size_t s = 0; s < kSets; ++s) {
+      chosen_[s] = chosen[s];
+      const std::int32_t sum = mixing::dot(
+          inputs_.data(), weights_[s].data() + chosen[s] * kInputs, kInputs);
+      outputs_[s] = clamp_stretch(sum >> 12);
+      total += outputs_[s];
+    }
+    return total / static_cast<int>(kSets);
+  }
+
+  /// Learns from the coded bit.
+  void update(bool bit) {
+    for (std::size_t s = 0; s < kSets; ++s) {
+      std::uint16_t& age = ages_[s][chosen_[s]];
+      const int error = (bit ? 65536 : 0) - squash(outputs_[s]);
+      // rate = learning rate * 2^16; 65536 * 2047 fits int32, the result
+      // int16 (< 65536 * 2047 / 4096 = 32752).
+      const int rate = kRateEnd + (kRateStart - kRateEnd) * 64 / (64 + age);
+      if (age < 60000) ++age;
+      mixing::train(inputs_.data(), weights_[s].data() + chosen_[s] * kInputs,
+                    kInputs, static_cast<std::int16_t>((error * rate) >> 12));
+    }
+  }
+
+  static constexpr int kRateStart = 1400;  ///< 0.021
+  static constexpr int kRateEnd = 200;     ///< 0.003
+
+ private:
+  static int clamp_stretch(int x) {
+    return x > kStretchMax ? kStretchMax : x < -kStretchMax ? -kStretchMax : x;
+  }
+
+  std::array<std::int16_t, kInputs> inputs_{};
+  std::array<std::vector<std::int32_t>, kSets> weights_;
+  std::array<std::vector<std::uint16_t>, kSets> ages_;
+  std::array<std::size_t, kSets> chosen_{};
+  std::array<int, kSets> outputs_{};
+};
+
+}  // namespace unstep::entropy
