@@ -35,20 +35,21 @@ class DecoderSide {
   std::int32_t first_;
 };
 
-int table_bits(std::int32_t width, std::int32_t rows) {
-  const auto pixels = static_cast<std::uint64_t>(width) *
-                      static_cast<std::uint64_t>(rows);
-  if (const char* e = getenv("TB")) return atoi(e);
-  return pixels < 40'000 ? 12 : pixels < 1'000'000 ? 14 : 16;
-}
 }  // namespace
 
 Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,
                        std::int32_t first_row, std::int32_t rows,
-                       const DecodeLimits& /*limits*/,
+                       const DecodeLimits& limits,
                        const BlockProgress& progress) {
+  if (CrackMap::memory(ink.width(), rows) > limits.max_memory) {
+    return Error{ErrorCode::limit_exceeded,
+                 "contours of " + std::to_string(ink.width()) + " x " +
+                     std::to_string(rows) + " pixels need " +
+                     std::to_string(CrackMap::memory(ink.width(), rows)) +
+                     " bytes, more than the memory limit"};
+  }
   DecoderSide side(payload, ink, first_row);
-  ContourScan<DecoderSide> scan(side, ink.width(), rows, table_bits(ink.width(), rows));
+  ContourScan<DecoderSide> scan(side, ink.width(), rows, contour_table_bits(ink.width(), rows));
   Status status = scan.run(progress);
   if (!status) return status.error();
   if (!side.coder().finished()) {

@@ -62,14 +62,6 @@ class EncoderSide {
   entropy::ArithmeticEncoder coder_;
 };
 
-/// More slots for larger pages; a fixed rule of the size only.
-int table_bits(std::int32_t width, std::int32_t rows) {
-  const auto pixels = static_cast<std::uint64_t>(width) *
-                      static_cast<std::uint64_t>(rows);
-  if (const char* e = getenv("TB")) return atoi(e);
-  return pixels < 40'000 ? 12 : pixels < 1'000'000 ? 14 : 16;
-}
-
 }  // namespace
 
 Result<std::vector<std::uint8_t>> encode_contours(
@@ -77,7 +69,7 @@ Result<std::vector<std::uint8_t>> encode_contours(
     const BlockProgress& progress) {
   EncoderSide side(ink, first_row, rows);
   ContourScan<EncoderSide> scan(side, ink.width(), rows,
-                                table_bits(ink.width(), rows));
+                                contour_table_bits(ink.width(), rows));
   Status status = scan.run(progress);
   if (!status) return status.error();
   return side.coder().finish();

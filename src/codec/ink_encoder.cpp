@@ -1,4 +1,5 @@
 #include "codec/block_coder.h"
+#include "codec/contour_coder.h"
 #include "codec/stored_coder.h"
 
 namespace unstep::codec {
@@ -6,13 +7,23 @@ namespace unstep::codec {
 Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
                                 std::int32_t rows,
                                 const BlockProgress& progress) {
-  Result<std::vector<std::uint8_t>> stored =
-      encode_stored(ink, first_row, rows);
-  if (!stored) return stored.error();
-  if (progress && !progress(static_cast<std::uint64_t>(rows))) {
-    return Error{ErrorCode::cancelled, "cancelled"};
+  Result<std::vector<std::uint8_t>> contours =
+      encode_contours(ink, first_row, rows, progress);
+  if (!contours) return contours.error();
+  // Noise has more cracks than pixels; then the packed rows are smaller. Only
+  // worth trying where the contours cost a good part of a bit per pixel.
+  const std::uint64_t pixels = static_cast<std::uint64_t>(ink.width()) *
+                               static_cast<std::uint64_t>(rows);
+  if (contours->size() > pixels / 16) {
+    Result<std::vector<std::uint8_t>> stored =
+        encode_stored(ink, first_row, rows);
+    if (!stored) return stored.error();
+    if (stored->size() < contours->size()) {
+      return EncodedBlock{{kCoderStored, 0, 0}, *std::move(stored)};
+    }
   }
-  return EncodedBlock{{kCoderStored, 0, 0}, std::move(*stored)};
+  return EncodedBlock{{kCoderContours, kContourRevision, 0},
+                      *std::move(contours)};
 }
 
 }  // namespace unstep::codec

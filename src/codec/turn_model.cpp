@@ -8,23 +8,13 @@ namespace {
 
 constexpr unsigned kSight = 12;  ///< how far look() sees, in points
 
-std::array<std::int32_t, 2 * TurnModel::kContexts + 8> initial_weights() {
-  std::array<std::int32_t, 2 * TurnModel::kContexts + 8> weights{};
+std::array<std::int32_t, TurnModel::kInputs> initial_weights() {
+  std::array<std::int32_t, TurnModel::kInputs> weights{};
   weights.fill(0);
   for (std::size_t i = 0; i < 2 * TurnModel::kContexts; ++i) {
     weights[i] = (1 << 24) * 3 / static_cast<int>(2 * TurnModel::kContexts);
   }
   return weights;
-}
-
-unsigned quantise_run(std::uint32_t run) {
-  return run < 8    ? run
-         : run < 12 ? 8
-         : run < 16 ? 9
-         : run < 24 ? 10
-         : run < 32 ? 11
-         : run < 64 ? 12
-                    : 13;
 }
 
 /// Sign and magnitude of an area, 0..23.
@@ -86,18 +76,20 @@ void TurnModel::advance(Turn turn) {
   trail_[steps_ % trail_.size()] = here_;
 }
 
-unsigned TurnModel::patch() const {
+unsigned TurnModel::patch(bool wide) const {
   // Known cracks around the points ahead, beside and behind, relative to the
   // direction of the walk: straight on and to the right from each.
-  static constexpr std::array<std::array<int, 2>, 7> kOffsets{
-      {{1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+  static constexpr std::array<std::array<int, 2>, 14> kOffsets{
+      {{1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1},
+       {2, 0}, {2, 1}, {2, -1}, {0, 2}, {0, -2}, {1, 2}, {1, -2}}};
   const CrackMap::Address ahead = cracks_.step(direction_);
   const CrackMap::Address right = cracks_.step((direction_ + 1) & 3);
   const CrackMap::Address on = cracks_.crack(direction_);
   const CrackMap::Address across = cracks_.crack((direction_ + 1) & 3);
   unsigned bits = 0;
-  for (const auto& [forward, side] : kOffsets) {
-    const CrackMap::Address p = point_ + ahead * forward + right * side;
+  for (std::size_t i = wide ? 7 : 0; i < (wide ? 14U : 7U); ++i) {
+    const CrackMap::Address p =
+        point_ + ahead * kOffsets[i][0] + right * kOffsets[i][1];
     bits = bits << 2 | cracks_.test(p + on) << 1 | cracks_.test(p + across);
   }
   return bits;
@@ -125,10 +117,10 @@ TurnModel::Sight TurnModel::look(int side) const {
 
 void TurnModel::set_context(std::size_t i, std::uint64_t value) {
   const std::uint64_t hash = (value + i) * 0x9e3779b97f4a7c15ULL;
-  const auto check = static_cast<std::uint16_t>(hash >> 8);
-  Slot& slot = slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
-  if (slot.check != check) slot = {{32768, 32768}, {0, 0}, check};
-  active_[i] = &slot;
+  Slot* slot = &slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
+  __builtin_prefetch(slot, 1);
+  active_[i] = slot;
+  checks_[i] = static_cast<std::uint16_t>(hash >> 8);
 }
 
 void TurnModel::predict() {
@@ -171,31 +163,37 @@ void TurnModel::predict() {
   const Sight left = look(3);
   const std::uint64_t bends =
       turns_[0] | turns_[1] << 2 | turns_[2] << 4;
-  const std::uint64_t runs3 = (run(1, 63) << 6 | run(2, 63)) << 6 | run(3, 63);
 
-  set_context(0, mix(history(6), base));
-  set_context(1, mix(history(12), base));
-  set_context(2, mix(history(20), base));
-  set_context(3, mix(quantise_run(runs_[0]) << 6 | bends, mix(runs3, base)));
-  set_context(4, mix(run(0, 255) << 8 | run(1, 255), mix(bends & 15, base)));
-  set_context(5, mix(patch(), mix(history(4), base)));
-  set_context(6, mix(right.distance << 6 | right.shape,
-                     mix(history(4), base)));
-  set_context(7, mix(chord(32), mix(history(4) << 5 | bulge(32), base)));
-  set_context(8, mix(left.distance << 6 | left.shape,
-                     mix(chord(16) << 6 | history(3), base)));
+  const std::uint64_t verdict = dss_.verdict(direction_);
   const unsigned level = match_.confidence();
   const unsigned guess = level > 0 ? match_.prediction() : 3;
-  set_context(9, mix(level << 2 | guess, base));
+  const std::uint64_t near = patch(false);
+  const std::uint64_t wide = near << 14 | patch(true);
+  set_context(0, mix(history(6), base));
+  set_context(1, mix(history(12), base));
+  set_context(2, mix(history(18), base));
+  set_context(3, mix(run(0, 255) << 8 | run(1, 255), mix(bends & 15, base)));
+  set_context(4, mix(near, mix(history(4), base)));
+  set_context(5, mix(wide, mix(history(1), base)));
+  set_context(6, mix(right.distance << 6 | right.shape,
+                     mix(history(4), base)));
+  set_context(7, mix(left.distance << 6 | left.shape,
+                     mix(chord(16) << 6 | history(3), base)));
+  set_context(8, mix(right.distance << 6 | right.shape,
+                     mix(left.distance << 6 | left.shape,
+                         mix(history(3), base))));
+  set_context(9, mix(level << 2 | guess, mix(history(2), base)));
   set_context(10, mix((run(0, 127) << 7 | run(1, 127)) << 7 | run(2, 127),
                       mix(run(3, 127), base)));
-  set_context(11, mix(chord(64) * 4096 + chord(8), mix(bulge(64), base)));
-  set_context(12, mix(history_, base));
-  const std::uint64_t verdict = dss_.verdict(direction_);
+  set_context(11, mix(chord(32), mix(history(4) << 5 | bulge(32), base)));
+  set_context(12, mix(chord(64) * 4096 + chord(8), mix(bulge(64), base)));
   set_context(13, mix(verdict, mix(history(4), base)));
-  set_context(14, mix(verdict, mix(dss_.slope() << 8 | dss_.remainder(), base)));
-  set_context(15, mix(verdict << 8 | dss_.previous_length(),
+  set_context(14, mix(verdict << 8 | dss_.previous_length(),
                       mix(history(2), base)));
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    Slot& slot = *active_[i];
+    if (slot.check != checks_[i]) slot = {{32768, 32768}, {0, 0}, checks_[i]};
+  }
 
   base_selectors_ = {std::min(right.distance, 7U) * 2 +
                          (left.distance > 0 ? 16U : 0U),

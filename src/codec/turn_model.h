@@ -24,7 +24,8 @@ enum Turn : std::uint8_t { kStraight = 0, kLeft = 1, kRight = 2 };
 /// the same object in step; everything is integer.
 class TurnModel {
  public:
-  static constexpr std::size_t kContexts = 16;
+  static constexpr std::size_t kContexts = 15;
+  static constexpr std::size_t kInputs = 32;
 
   /// `cracks` must outlive the model; 2^table_bits slots per context.
   TurnModel(const CrackMap& cracks, int table_bits);
@@ -70,14 +71,14 @@ class TurnModel {
   void predict();
   int probability(unsigned node);
   void update(unsigned node, bool bit);
-  [[nodiscard]] unsigned patch() const;
+  [[nodiscard]] unsigned patch(bool wide) const;
   [[nodiscard]] Sight look(int side) const;
   void set_context(std::size_t i, std::uint64_t value);
 
   const CrackMap& cracks_;
   std::vector<Slot> slots_;
   int table_bits_;
-  entropy::Mixer<2 * kContexts + 8, 3> mixer_;
+  entropy::Mixer<kInputs, 3> mixer_;
 
   // Where the walk is.
   CrackMap::Address point_ = 0;
@@ -100,6 +101,7 @@ class TurnModel {
 
   // The prediction in progress.
   std::array<Slot*, kContexts> active_{};
+  std::array<std::uint16_t, kContexts> checks_{};
   std::array<std::size_t, 3> base_selectors_{};
 };
 

@@ -135,15 +135,15 @@ class Mixer {
       const int error = (bit ? 65536 : 0) - squash(outputs_[s]);
       // rate = learning rate * 2^16; 65536 * 2047 fits int32, the result
       // int16 (< 65536 * 2047 / 4096 = 32752).
-      const int rate = kRateEnd + (kRateStart - kRateEnd) * 64 / (64 + age);
+      const int rate = kRateEnd + (kRateStart - kRateEnd) * 1024 / (1024 + age);
       if (age < 60000) ++age;
       mixing::train(inputs_.data(), weights_[s].data() + chosen_[s] * kInputs,
                     kInputs, static_cast<std::int16_t>((error * rate) >> 12));
     }
   }
 
-  static constexpr int kRateStart = 1400;  ///< 0.021
-  static constexpr int kRateEnd = 200;     ///< 0.003
+  static constexpr int kRateStart = 1800;  ///< 0.027
+  static constexpr int kRateEnd = 350;     ///< 0.005
 
  private:
   static int clamp_stretch(int x) {
