@@ -6,6 +6,7 @@ namespace unstep::codec {
 namespace {
 
 constexpr int kNearBits = 16;
+constexpr int kRare = 250;  ///< of 65536: certain enough
 
 std::array<std::int32_t, 8> initial_weights() {
   std::array<std::int32_t, 8> weights{};
@@ -107,6 +108,12 @@ void StartModel::predict_near(std::int32_t x, std::int32_t y, bool ink) {
 }
 
 int StartModel::probability() {
+  // Nine flags of ten are as good as certain and need no mixing.
+  certain_ = active_[0]->p < kRare && active_[1]->p < kRare &&
+             active_[2]->p < kRare;
+  if (certain_) {
+    return (active_[0]->p + active_[1]->p + active_[2]->p) / 3 + 4;
+  }
   auto& inputs = mixer_.inputs();
   for (std::size_t i = 0; i < kContexts; ++i) {
     inputs[i] = static_cast<std::int16_t>(entropy::stretch(active_[i]->p));
@@ -119,7 +126,7 @@ int StartModel::probability() {
 }
 
 void StartModel::update_near(bool bit) {
-  mixer_.update(bit);
+  if (!certain_) mixer_.update(bit);
   for (entropy::Counter* counter : active_) counter->update(bit);
 }
 

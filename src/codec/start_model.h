@@ -87,6 +87,7 @@ class StartModel {
   std::array<unsigned, 2> recent_{};       ///< decayed over the rows
   std::vector<entropy::Counter> near_;
   std::array<entropy::Counter*, kContexts> active_{};
+  bool certain_ = false;
   entropy::Mixer<8, 1> mixer_;
 };
 

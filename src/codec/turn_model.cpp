@@ -119,11 +119,11 @@ void TurnModel::set_context(std::size_t i, std::uint64_t value) {
   const std::uint64_t hash = (value + i) * 0x9e3779b97f4a7c15ULL;
   Slot* slot = &slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
   __builtin_prefetch(slot, 1);
-  active_[i] = slot;
+  next_[i] = slot;
   checks_[i] = static_cast<std::uint16_t>(hash >> 8);
 }
 
-void TurnModel::predict() {
+void TurnModel::look_around() {
   const unsigned at_point =
       cracks_.test(point_ + cracks_.crack(direction_)) |
       cracks_.test(point_ + cracks_.crack((direction_ + 1) & 3)) << 1 |
@@ -190,45 +190,51 @@ void TurnModel::predict() {
   set_context(13, mix(verdict, mix(history(4), base)));
   set_context(14, mix(verdict << 8 | dss_.previous_length(),
                       mix(history(2), base)));
-  for (std::size_t i = 0; i < kContexts; ++i) {
-    Slot& slot = *active_[i];
-    if (slot.check != checks_[i]) slot = {{32768, 32768}, {0, 0}, checks_[i]};
-  }
-
-  base_selectors_ = {std::min(right.distance, 7U) * 2 +
+  next_selectors_ = {std::min(right.distance, 7U) * 2 +
                          (left.distance > 0 ? 16U : 0U),
                      static_cast<std::size_t>(history(4)) * 2,
                      (level * 4 + guess) * 2 + at_point * 64};
 }
 
-int TurnModel::probability(unsigned node) {
-  auto& inputs = mixer_.inputs();
+void TurnModel::learn() {
+  for (const Node node : {kBends, kToRight}) {
+    if (pending_[node] == Pending::none) continue;
+    const bool bit = pending_[node] == Pending::one;
+    pending_[node] = Pending::none;
+    mixer_.update(bit, node);
+    for (Slot* slot : active_) {
+      entropy::Counter counter{slot->p[node], slot->n[node]};
+      counter.update(bit);
+      slot->p[node] = counter.p;
+      slot->n[node] = counter.n;
+    }
+  }
+}
+
+void TurnModel::recall() {
+  active_ = next_;
+  selectors_ = next_selectors_;
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    Slot& slot = *active_[i];
+    if (slot.check != checks_[i]) slot = {{32768, 32768}, {0, 0}, checks_[i]};
+  }
+}
+
+int TurnModel::probability(Node node) {
+  auto& inputs = mixer_.inputs(node);
   for (std::size_t i = 0; i < kContexts; ++i) {
     const Slot& slot = *active_[i];
     const int p = slot.p[node];
     const int n = std::min<int>(slot.n[node], 30);
-    inputs[2 * i] =
-        n == 0 ? std::int16_t{0}
-               : static_cast<std::int16_t>(entropy::stretch(p));
-    inputs[2 * i + 1] =
-        static_cast<std::int16_t>(((p - 32768) * n) / 1280);
+    // A fresh slot has p = 1/2 and so adds nothing.
+    inputs[2 * i] = static_cast<std::int16_t>(n == 0 ? 0 : entropy::stretch(p));
+    inputs[2 * i + 1] = static_cast<std::int16_t>(((p - 32768) * n) / 1280);
   }
   inputs[2 * kContexts] = 77;
-  const int x = mixer_.mix({base_selectors_[0] + node,
-                            base_selectors_[1] + node,
-                            base_selectors_[2] + node});
+  const int x = mixer_.mix({selectors_[0] + node, selectors_[1] + node,
+                            selectors_[2] + node},
+                           node);
   return std::clamp(entropy::squash(x), 1, 65535);
-}
-
-void TurnModel::update(unsigned node, bool bit) {
-  mixer_.update(bit);
-  for (std::size_t i = 0; i < kContexts; ++i) {
-    Slot& slot = *active_[i];
-    entropy::Counter counter{slot.p[node], slot.n[node]};
-    counter.update(bit);
-    slot.p[node] = counter.p;
-    slot.n[node] = counter.n;
-  }
 }
 
 }  // namespace unstep::codec

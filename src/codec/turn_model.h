@@ -38,17 +38,18 @@ class TurnModel {
   /// set for each turn t that is possible; at least two are.
   template <class Coder>
   Turn code(Coder& coder, Turn turn, unsigned allowed) {
-    predict();
-    bool bends = true;
+    look_around();
+    learn();
+    recall();
     if ((allowed & 1U << kStraight) != 0) {
-      bends = coder.code(turn != kStraight, probability(0));
-      update(0, bends);
+      const bool bends = coder.code(turn != kStraight, probability(kBends));
+      pending_[kBends] = bends ? Pending::one : Pending::zero;
       if (!bends) return kStraight;
     }
     if ((allowed & 1U << kLeft) == 0) return kRight;
     if ((allowed & 1U << kRight) == 0) return kLeft;
-    const bool right = coder.code(turn == kRight, probability(1));
-    update(1, right);
+    const bool right = coder.code(turn == kRight, probability(kToRight));
+    pending_[kToRight] = right ? Pending::one : Pending::zero;
     return right ? kRight : kLeft;
   }
 
@@ -57,7 +58,11 @@ class TurnModel {
   void advance(Turn turn);
 
  private:
-  /// One context's memory: a counter for "bends" and one for "right".
+  /// The two binary decisions that make a turn.
+  enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
+  enum class Pending : std::uint8_t { none, zero, one };
+
+  /// One context's memory: a counter for each node.
   struct Slot {
     std::array<std::uint16_t, 2> p;
     std::array<std::uint8_t, 2> n;
@@ -68,9 +73,12 @@ class TurnModel {
     unsigned shape = 0;
   };
 
-  void predict();
-  int probability(unsigned node);
-  void update(unsigned node, bool bit);
+  // The order hides the latency of the slots: look_around() asks for the
+  // next ones, learn() works on those of the last turn, recall() reads.
+  void look_around();
+  void learn();
+  void recall();
+  int probability(Node node);
   [[nodiscard]] unsigned patch(bool wide) const;
   [[nodiscard]] Sight look(int side) const;
   void set_context(std::size_t i, std::uint64_t value);
@@ -78,7 +86,7 @@ class TurnModel {
   const CrackMap& cracks_;
   std::vector<Slot> slots_;
   int table_bits_;
-  entropy::Mixer<kInputs, 3> mixer_;
+  entropy::Mixer<kInputs, 3, 2> mixer_;
 
   // Where the walk is.
   CrackMap::Address point_ = 0;
@@ -99,10 +107,13 @@ class TurnModel {
   DssState dss_;
   MatchModel match_;
 
-  // The prediction in progress.
-  std::array<Slot*, kContexts> active_{};
+  // The slots asked for, and the prediction in progress or not yet learned.
+  std::array<Slot*, kContexts> next_{};
   std::array<std::uint16_t, kContexts> checks_{};
-  std::array<std::size_t, 3> base_selectors_{};
+  std::array<std::size_t, 3> next_selectors_{};
+  std::array<Slot*, kContexts> active_{};
+  std::array<std::size_t, 3> selectors_{};
+  std::array<Pending, 2> pending_{};
 };
 
 }  // namespace unstep::codec

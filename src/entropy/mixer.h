@@ -94,11 +94,17 @@ inline void train(const std::int16_t* x, std::int32_t* w, std::size_t n,
 /// Gated logistic mixing (M. Mahoney, PAQ; C. Mattern 2016): kSets weight
 /// vectors, each picked by its own selector and trained on its own error; the
 /// prediction is the mean of their outputs in the logistic domain.
-template <std::size_t kInputs, std::size_t kSets>
+///
+/// kLanes predictions can be open at once, so that learning may be put off
+/// until memory that was asked for has arrived. Lanes that are open together
+/// must not pick the same vectors.
+template <std::size_t kInputs, std::size_t kSets, std::size_t kLanes = 1>
 class Mixer {
   static_assert(kInputs % 8 == 0);
 
  public:
+  using Inputs = std::array<std::int16_t, kInputs>;
+
   /// `selectors[s]`: how many vectors set s chooses from. `initial`: the
   /// weights every vector starts with, 24 fractional bits.
   Mixer(const std::array<std::size_t, kSets>& selectors,
@@ -113,32 +119,38 @@ class Mixer {
   }
 
   /// The inputs of the next prediction, stretches; unused ones stay 0.
-  [[nodiscard]] std::array<std::int16_t, kInputs>& inputs() { return inputs_; }
+  [[nodiscard]] Inputs& inputs(std::size_t lane = 0) {
+    return lanes_[lane].inputs;
+  }
 
   /// Predicts under the chosen vectors; returns a stretch.
-  int mix(const std::array<std::size_t, kSets>& chosen) {
+  int mix(const std::array<std::size_t, kSets>& chosen, std::size_t lane = 0) {
+    Lane& l = lanes_[lane];
+    l.chosen = chosen;
     std::int32_t total = 0;
     for (std::size_t s = 0; s < kSets; ++s) {
-      chosen_[s] = chosen[s];
-      const std::int32_t sum = mixing::dot(
-          inputs_.data(), weights_[s].data() + chosen[s] * kInputs, kInputs);
-      outputs_[s] = clamp_stretch(sum >> 12);
-      total += outputs_[s];
+      const std::int32_t sum =
+          mixing::dot(l.inputs.data(),
+                      weights_[s].data() + chosen[s] * kInputs, kInputs);
+      l.outputs[s] = clamp_stretch(sum >> 12);
+      total += l.outputs[s];
     }
     return total / static_cast<int>(kSets);
   }
 
   /// Learns from the coded bit.
-  void update(bool bit) {
+  void update(bool bit, std::size_t lane = 0) {
+    Lane& l = lanes_[lane];
     for (std::size_t s = 0; s < kSets; ++s) {
-      std::uint16_t& age = ages_[s][chosen_[s]];
-      const int error = (bit ? 65536 : 0) - squash(outputs_[s]);
+      std::uint16_t& age = ages_[s][l.chosen[s]];
+      const int error = (bit ? 65536 : 0) - squash(l.outputs[s]);
       // rate = learning rate * 2^16; 65536 * 2047 fits int32, the result
       // int16 (< 65536 * 2047 / 4096 = 32752).
       const int rate = kRateEnd + (kRateStart - kRateEnd) * 1024 / (1024 + age);
       if (age < 60000) ++age;
-      mixing::train(inputs_.data(), weights_[s].data() + chosen_[s] * kInputs,
-                    kInputs, static_cast<std::int16_t>((error * rate) >> 12));
+      mixing::train(l.inputs.data(),
+                    weights_[s].data() + l.chosen[s] * kInputs, kInputs,
+                    static_cast<std::int16_t>((error * rate) >> 12));
     }
   }
 
@@ -150,11 +162,14 @@ class Mixer {
     return x > kStretchMax ? kStretchMax : x < -kStretchMax ? -kStretchMax : x;
   }
 
-  std::array<std::int16_t, kInputs> inputs_{};
+  struct Lane {
+    alignas(16) Inputs inputs{};
+    std::array<std::size_t, kSets> chosen{};
+    std::array<int, kSets> outputs{};
+  };
+  std::array<Lane, kLanes> lanes_;
   std::array<std::vector<std::int32_t>, kSets> weights_;
   std::array<std::vector<std::uint16_t>, kSets> ages_;
-  std::array<std::size_t, kSets> chosen_{};
-  std::array<int, kSets> outputs_{};
 };
 
 }  // namespace unstep::entropy
