@@ -59,9 +59,9 @@ class ContourScan {
     const std::uint64_t used =
         left >= 64 ? ~std::uint64_t{0} : ~std::uint64_t{0} << (64 - left);
     std::uint64_t excluded = 0;  // candidates that are known to be none
+    auto found = starts_.candidates(y, word, above, used);
     for (int ink = 0; ink < 2; ++ink) {
       for (;;) {
-        const auto found = starts_.candidates(y, word, above, used);
         const std::uint64_t mask =
             found.open[static_cast<std::size_t>(ink)] & ~excluded;
         if (mask == 0) break;
@@ -70,22 +70,22 @@ class ContourScan {
         excluded |= bit == 0 ? mask : 0;
         if (bit == 0) break;
         if (!walk(word * 64 + std::countl_zero(bit), y, ink == 0)) return false;
+        found = starts_.candidates(y, word, above, used);
       }
     }
-    for (;;) {
-      const auto found = starts_.candidates(y, word, above, used);
-      const std::uint64_t mask = found.near & ~excluded;
-      if (mask == 0) return true;
-      const std::uint64_t bit = std::bit_floor(mask);
+    std::uint64_t truth = side_.starts(y, word, cracks_);
+    while ((found.near & ~excluded) != 0) {
+      const std::uint64_t bit = std::bit_floor(found.near & ~excluded);
       excluded |= bit;
       const std::int32_t x = word * 64 + std::countl_zero(bit);
       const bool ink = (above & bit) != 0;
-      if (starts_.code_near(side_.coder(), x, y, ink,
-                            (side_.starts(y, word, cracks_) & bit) != 0) &&
-          !walk(x, y, !ink)) {
-        return false;
+      if (starts_.code_near(side_.coder(), x, y, ink, (truth & bit) != 0)) {
+        if (!walk(x, y, !ink)) return false;
+        found = starts_.candidates(y, word, above, used);
+        truth = side_.starts(y, word, cracks_);
       }
     }
+    return true;
   }
 
   /// Walks the contour that starts at (x, y) towards the east until it comes

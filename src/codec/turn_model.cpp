@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "codec/patch.h"
+
 namespace unstep::codec {
 namespace {
 
@@ -11,10 +13,20 @@ constexpr unsigned kSight = 12;  ///< how far look() sees, in points
 std::array<std::int32_t, TurnModel::kInputs> initial_weights() {
   std::array<std::int32_t, TurnModel::kInputs> weights{};
   weights.fill(0);
-  for (std::size_t i = 0; i < 2 * TurnModel::kContexts; ++i) {
-    weights[i] = (1 << 24) * 3 / static_cast<int>(2 * TurnModel::kContexts);
+  for (std::size_t i = 0; i < TurnModel::kContexts; ++i) {
+    weights[i] = weights[i + 16] = (1 << 24) / 10;
   }
   return weights;
+}
+
+/// The weight of (p - 1/2) as a second input of each counter: it grows with
+/// the age n, up to 30 observations; the product is at most 32768 * 1530 >> 16.
+constexpr std::array<std::int16_t, 256> make_trust() {
+  std::array<std::int16_t, 256> trust{};
+  for (std::size_t n = 0; n < trust.size(); ++n) {
+    trust[n] = static_cast<std::int16_t>(51 * std::min<std::size_t>(n, 30));
+  }
+  return trust;
 }
 
 /// Sign and magnitude of an area, 0..23.
@@ -76,43 +88,28 @@ void TurnModel::advance(Turn turn) {
   trail_[steps_ % trail_.size()] = here_;
 }
 
-unsigned TurnModel::patch(bool wide) const {
-  // Known cracks around the points ahead, beside and behind, relative to the
-  // direction of the walk: straight on and to the right from each.
-  static constexpr std::array<std::array<int, 2>, 14> kOffsets{
-      {{1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1},
-       {2, 0}, {2, 1}, {2, -1}, {0, 2}, {0, -2}, {1, 2}, {1, -2}}};
-  const CrackMap::Address ahead = cracks_.step(direction_);
-  const CrackMap::Address right = cracks_.step((direction_ + 1) & 3);
+TurnModel::Sight TurnModel::look(int side) const {
+  const CrackMap::Address out = cracks_.step((direction_ + side) & 3);
   const CrackMap::Address on = cracks_.crack(direction_);
-  const CrackMap::Address across = cracks_.crack((direction_ + 1) & 3);
-  unsigned bits = 0;
-  for (std::size_t i = wide ? 7 : 0; i < (wide ? 14U : 7U); ++i) {
-    const CrackMap::Address p =
-        point_ + ahead * kOffsets[i][0] + right * kOffsets[i][1];
-    bits = bits << 2 | cracks_.test(p + on) << 1 | cracks_.test(p + across);
+  CrackMap::Address p = point_ - cracks_.step(direction_) + on;
+  for (unsigned distance = 1; distance <= kSight; ++distance) {
+    p += out;
+    if (cracks_.test(p) != 0) return {distance, shape(p - on)};
   }
-  return bits;
+  return {};
 }
 
-TurnModel::Sight TurnModel::look(int side) const {
-  const CrackMap::Address ahead = cracks_.step(direction_);
-  const CrackMap::Address out = cracks_.step((direction_ + side) & 3);
+unsigned TurnModel::shape(CrackMap::Address point) const {
   const CrackMap::Address on = cracks_.crack(direction_);
   const CrackMap::Address right = cracks_.crack((direction_ + 1) & 3);
   const CrackMap::Address left = cracks_.crack((direction_ + 3) & 3);
-  CrackMap::Address p = point_;
-  for (unsigned distance = 1; distance <= kSight; ++distance) {
-    p += out;
-    if (cracks_.test(p - ahead + on) == 0) continue;
-    unsigned shape = 0;
-    for (const CrackMap::Address q : {p, p + ahead}) {
-      shape = shape << 3 | cracks_.test(q + on) << 2 |
-              cracks_.test(q + right) << 1 | cracks_.test(q + left);
-    }
-    return {distance, shape};
+  unsigned bits = 0;
+  for (int i = 0; i < 2; ++i) {
+    point += cracks_.step(direction_);
+    bits = bits << 3 | cracks_.test(point + on) << 2 |
+           cracks_.test(point + right) << 1 | cracks_.test(point + left);
   }
-  return {};
+  return bits;
 }
 
 void TurnModel::set_context(std::size_t i, std::uint64_t value) {
@@ -124,10 +121,13 @@ void TurnModel::set_context(std::size_t i, std::uint64_t value) {
 }
 
 void TurnModel::look_around() {
-  const unsigned at_point =
-      cracks_.test(point_ + cracks_.crack(direction_)) |
-      cracks_.test(point_ + cracks_.crack((direction_ + 1) & 3)) << 1 |
-      cracks_.test(point_ + cracks_.crack((direction_ + 3) & 3)) << 2;
+  const std::uint64_t around = patch::at(cracks_, point_, direction_);
+  const auto known = [&](unsigned place) {
+    return static_cast<unsigned>(around >> place) & 1U;
+  };
+  const unsigned at_point = known(patch::along(0, 0)) |
+                            known(patch::across(0, 0)) << 1 |
+                            known(patch::across(0, -1)) << 2;
   const std::uint64_t base = at_point << 1 | (ink_ ? 1U : 0U);
   const auto history = [&](unsigned turns) {
     return history_ & ((std::uint64_t{1} << (2 * turns)) - 1);
@@ -167,14 +167,12 @@ void TurnModel::look_around() {
   const std::uint64_t verdict = dss_.verdict(direction_);
   const unsigned level = match_.confidence();
   const unsigned guess = level > 0 ? match_.prediction() : 3;
-  const std::uint64_t near = patch(false);
-  const std::uint64_t wide = near << 14 | patch(true);
   set_context(0, mix(history(6), base));
   set_context(1, mix(history(12), base));
   set_context(2, mix(history(18), base));
   set_context(3, mix(run(0, 255) << 8 | run(1, 255), mix(bends & 15, base)));
-  set_context(4, mix(near, mix(history(4), base)));
-  set_context(5, mix(wide, mix(history(1), base)));
+  set_context(4, mix(around & patch::kNear, mix(history(4), base)));
+  set_context(5, mix(around & patch::kAll, mix(history(1), base)));
   set_context(6, mix(right.distance << 6 | right.shape,
                      mix(history(4), base)));
   set_context(7, mix(left.distance << 6 | left.shape,
@@ -202,11 +200,15 @@ void TurnModel::learn() {
     const bool bit = pending_[node] == Pending::one;
     pending_[node] = Pending::none;
     mixer_.update(bit, node);
-    for (Slot* slot : active_) {
-      entropy::Counter counter{slot->p[node], slot->n[node]};
-      counter.update(bit);
-      slot->p[node] = counter.p;
-      slot->n[node] = counter.n;
+    Counters& counters = counters_[node];
+    for (std::size_t i = 0; i < counters.p.size(); ++i) {
+      counters.p[i] = entropy::moved(counters.p[i], bit, counters.rate[i]);
+    }
+    for (std::size_t i = 0; i < kContexts; ++i) {
+      Slot& slot = *active_[i];
+      slot.p[node] = counters.p[i];
+      slot.n[node] = static_cast<std::uint8_t>(
+          slot.n[node] + (slot.n[node] < entropy::Counter::kLimit ? 1 : 0));
     }
   }
 }
@@ -221,16 +223,22 @@ void TurnModel::recall() {
 }
 
 int TurnModel::probability(Node node) {
+  static constexpr auto kTrust = make_trust();
+  Counters& counters = counters_[node];
   auto& inputs = mixer_.inputs(node);
+  alignas(16) std::array<std::int16_t, 16> trust{};
   for (std::size_t i = 0; i < kContexts; ++i) {
     const Slot& slot = *active_[i];
-    const int p = slot.p[node];
-    const int n = std::min<int>(slot.n[node], 30);
-    // A fresh slot has p = 1/2 and so adds nothing.
-    inputs[2 * i] = static_cast<std::int16_t>(n == 0 ? 0 : entropy::stretch(p));
-    inputs[2 * i + 1] = static_cast<std::int16_t>(((p - 32768) * n) / 1280);
+    counters.p[i] = slot.p[node];
+    counters.rate[i] = entropy::detail::kRates[slot.n[node]];
+    trust[i] = kTrust[slot.n[node]];
+    inputs[i] = static_cast<std::int16_t>(entropy::stretch(slot.p[node]));
   }
-  inputs[2 * kContexts] = 77;
+  inputs[kContexts] = 77;
+  for (std::size_t i = 0; i < trust.size(); ++i) {
+    inputs[i + 16] =
+        static_cast<std::int16_t>(((counters.p[i] - 32768) * trust[i]) >> 16);
+  }
   const int x = mixer_.mix({selectors_[0] + node, selectors_[1] + node,
                             selectors_[2] + node},
                            node);

@@ -79,8 +79,8 @@ class TurnModel {
   void learn();
   void recall();
   int probability(Node node);
-  [[nodiscard]] unsigned patch(bool wide) const;
   [[nodiscard]] Sight look(int side) const;
+  [[nodiscard]] unsigned shape(CrackMap::Address point) const;
   void set_context(std::size_t i, std::uint64_t value);
 
   const CrackMap& cracks_;
@@ -113,6 +113,12 @@ class TurnModel {
   std::array<std::size_t, 3> next_selectors_{};
   std::array<Slot*, kContexts> active_{};
   std::array<std::size_t, 3> selectors_{};
+  /// One node's counters side by side, for vector code.
+  struct Counters {
+    alignas(16) std::array<std::uint16_t, 16> p{};
+    alignas(16) std::array<std::uint16_t, 16> rate{};
+  };
+  std::array<Counters, 2> counters_{};
   std::array<Pending, 2> pending_{};
 };
 
