@@ -6,7 +6,6 @@ namespace unstep::codec {
 namespace {
 
 constexpr int kNearBits = 16;
-constexpr int kRare = 250;  ///< of 65536: certain enough
 
 std::array<std::int32_t, 8> initial_weights() {
   std::array<std::int32_t, 8> weights{};
@@ -74,46 +73,45 @@ std::size_t StartModel::open_context(std::uint64_t mask, bool ink) const {
 
 void StartModel::note_start(bool ink) { ++row_starts_[ink ? 1 : 0]; }
 
-void StartModel::predict_near(std::int32_t x, std::int32_t y, bool ink) {
+entropy::Counter& StartModel::tight(std::int32_t x, std::int32_t y,
+                                    bool ink) {
   const CrackMap::Address at = cracks_.at(x, y);
   const CrackMap::Address stride = cracks_.stride();
   const CrackMap::Address vertical = cracks_.vertical();
   const auto bits = [&](CrackMap::Address first, int count) {
     return cracks_.window(first) >> (64 - count);
   };
-  const std::uint64_t h0 = bits(at - 3, 8);             // this row
-  const std::uint64_t v_up = bits(at + vertical - stride - 3, 8);
-  const std::uint64_t v_down = bits(at + vertical - 3, 8);
-  const std::uint64_t h_up = bits(at - stride - 3, 8);
-  const std::uint64_t h_up2 = bits(at - 2 * stride - 3, 8);
-  const std::uint64_t h_down = bits(at + stride - 3, 8);
-  const std::uint64_t tight = (h0 >> 2 & 7) | (v_up >> 2 & 7) << 3 |
-                              (v_down >> 2 & 7) << 6 |
-                              (h_up >> 3 & 7) << 9 | (h_down >> 3 & 7) << 12 |
-                              (ink ? 1U : 0U) << 15;
-  const std::uint64_t full = h0 | v_up << 8 | v_down << 16 | h_up << 24 |
-                             h_down << 32 | h_up2 << 40 |
+  row_ = bits(at - 3, 8);
+  north_ = bits(at + vertical - stride - 3, 8);
+  south_ = bits(at + vertical - 3, 8);
+  above_ = bits(at - stride - 3, 8);
+  below_ = bits(at + stride - 3, 8);
+  active_[0] = &near_[(row_ >> 2 & 7) | (north_ >> 2 & 7) << 3 |
+                      (south_ >> 2 & 7) << 6 | (above_ >> 3 & 7) << 9 |
+                      (below_ >> 3 & 7) << 12 | (ink ? 1U : 0U) << 15];
+  return *active_[0];
+}
+
+void StartModel::predict_near(std::int32_t x, std::int32_t y, bool ink) {
+  const std::uint64_t higher =
+      cracks_.window(cracks_.at(x, y) - 2 * cracks_.stride() - 3) >> 56;
+  const std::uint64_t full = row_ | north_ << 8 | south_ << 16 | above_ << 24 |
+                             below_ << 32 | higher << 40 |
                              std::uint64_t{ink} << 48;
-  const std::uint64_t mid = (h0 >> 1 & 31) | (v_up >> 1 & 31) << 5 |
-                            (v_down >> 1 & 31) << 10 |
-                            (h_up >> 2 & 15) << 15 | (h_down >> 2 & 15) << 19 |
-                            (h_up2 >> 2 & 15) << 23 | std::uint64_t{ink} << 27;
+  const std::uint64_t mid = (row_ >> 1 & 31) | (north_ >> 1 & 31) << 5 |
+                            (south_ >> 1 & 31) << 10 |
+                            (above_ >> 2 & 15) << 15 |
+                            (below_ >> 2 & 15) << 19 |
+                            (higher >> 2 & 15) << 23 | std::uint64_t{ink} << 27;
   const auto slot = [&](std::size_t i, std::uint64_t value) {
     const std::uint64_t hash = (value + 1) * 0x9e3779b97f4a7c15ULL;
     active_[i] = &near_[(i << kNearBits) + (hash >> (64 - kNearBits))];
   };
-  active_[0] = &near_[tight];
   slot(1, mid);
   slot(2, full);
 }
 
 int StartModel::probability() {
-  // Nine flags of ten are as good as certain and need no mixing.
-  certain_ = active_[0]->p < kRare && active_[1]->p < kRare &&
-             active_[2]->p < kRare;
-  if (certain_) {
-    return (active_[0]->p + active_[1]->p + active_[2]->p) / 3 + 4;
-  }
   auto& inputs = mixer_.inputs();
   for (std::size_t i = 0; i < kContexts; ++i) {
     inputs[i] = static_cast<std::int16_t>(entropy::stretch(active_[i]->p));
@@ -126,7 +124,7 @@ int StartModel::probability() {
 }
 
 void StartModel::update_near(bool bit) {
-  if (!certain_) mixer_.update(bit);
+  mixer_.update(bit);
   for (entropy::Counter* counter : active_) counter->update(bit);
 }
 

@@ -49,6 +49,12 @@ class StartModel {
   template <class Coder>
   bool code_near(Coder& coder, std::int32_t x, std::int32_t y, bool ink,
                  bool start) {
+    entropy::Counter& gate = tight(x, y, ink);
+    if (gate.p < kRare && gate.n >= kRareAge) {
+      const bool bit = coder.code(start, gate.p + 2);
+      gate.update(bit);
+      return bit;
+    }
     predict_near(x, y, ink);
     const bool bit = coder.code(start, probability());
     update_near(bit);
@@ -57,6 +63,9 @@ class StartModel {
 
  private:
   static constexpr std::size_t kContexts = 3;
+  /// Below this of 65536 the tight context alone is used: 4 flags of 5.
+  static constexpr int kRare = 100;
+  static constexpr int kRareAge = 16;  ///< observations before it may
 
   /// One of the set bits of `mask`, uniformly; `starts` holds the first.
   template <class Coder>
@@ -77,6 +86,7 @@ class StartModel {
 
   [[nodiscard]] std::size_t open_context(std::uint64_t mask, bool ink) const;
   void note_start(bool ink);
+  entropy::Counter& tight(std::int32_t x, std::int32_t y, bool ink);
   void predict_near(std::int32_t x, std::int32_t y, bool ink);
   int probability();
   void update_near(bool bit);
@@ -85,9 +95,9 @@ class StartModel {
   std::array<entropy::Counter, 2 * 4 * 4 * 4> open_;
   std::array<unsigned, 2> row_starts_{};   ///< open starts in this row
   std::array<unsigned, 2> recent_{};       ///< decayed over the rows
+  std::uint64_t row_ = 0, north_ = 0, south_ = 0, above_ = 0, below_ = 0;
   std::vector<entropy::Counter> near_;
   std::array<entropy::Counter*, kContexts> active_{};
-  bool certain_ = false;
   entropy::Mixer<8, 1> mixer_;
 };
 

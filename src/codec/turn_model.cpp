@@ -49,6 +49,7 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
 TurnModel::TurnModel(const CrackMap& cracks, int table_bits)
     : cracks_(cracks),
       slots_(kContexts << table_bits, Slot{{32768, 32768}, {0, 0}, 0}),
+      gates_(std::size_t{1} << kGateBits),
       table_bits_(table_bits),
       mixer_({64, 1024, 1024}, initial_weights()) {}
 
@@ -120,10 +121,17 @@ void TurnModel::set_context(std::size_t i, std::uint64_t value) {
   checks_[i] = static_cast<std::uint16_t>(hash >> 8);
 }
 
+entropy::Counter& TurnModel::find_gate() {
+  around_ = patch::at(cracks_, point_, direction_);
+  const std::uint64_t recent = history_ & 0xffffff;  // 12 turns
+  const std::uint64_t hash =
+      mix(around_ & patch::kNear, recent) * 0x9e3779b97f4a7c15ULL;
+  return gates_[hash >> (64 - kGateBits)];
+}
+
 void TurnModel::look_around() {
-  const std::uint64_t around = patch::at(cracks_, point_, direction_);
   const auto known = [&](unsigned place) {
-    return static_cast<unsigned>(around >> place) & 1U;
+    return static_cast<unsigned>(around_ >> place) & 1U;
   };
   const unsigned at_point = known(patch::along(0, 0)) |
                             known(patch::across(0, 0)) << 1 |
@@ -171,8 +179,8 @@ void TurnModel::look_around() {
   set_context(1, mix(history(12), base));
   set_context(2, mix(history(18), base));
   set_context(3, mix(run(0, 255) << 8 | run(1, 255), mix(bends & 15, base)));
-  set_context(4, mix(around & patch::kNear, mix(history(4), base)));
-  set_context(5, mix(around & patch::kAll, mix(history(1), base)));
+  set_context(4, mix(around_ & patch::kNear, mix(history(4), base)));
+  set_context(5, mix(around_ & patch::kAll, mix(history(1), base)));
   set_context(6, mix(right.distance << 6 | right.shape,
                      mix(history(4), base)));
   set_context(7, mix(left.distance << 6 | left.shape,

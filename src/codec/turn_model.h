@@ -27,6 +27,12 @@ class TurnModel {
   static constexpr std::size_t kContexts = 15;
   static constexpr std::size_t kInputs = 32;
 
+  /// A gate is one counter that decides whether a bend is so unlikely that it
+  /// is coded with this counter alone: 2 of 5 steps of a technical drawing.
+  static constexpr int kGateBits = 16;
+  static constexpr int kGateAge = 24;    ///< observations before it may
+  static constexpr int kGateRare = 512;  ///< of 65536
+
   /// `cracks` must outlive the model; 2^table_bits slots per context.
   TurnModel(const CrackMap& cracks, int table_bits);
 
@@ -38,11 +44,20 @@ class TurnModel {
   /// set for each turn t that is possible; at least two are.
   template <class Coder>
   Turn code(Coder& coder, Turn turn, unsigned allowed) {
+    entropy::Counter& gate = find_gate();
+    if ((allowed & 1U << kStraight) != 0 && gate.n >= kGateAge &&
+        gate.p < kGateRare) {
+      const bool bends = coder.code(turn != kStraight, gate.p + 4);
+      gate.update(bends);
+      if (!bends) return kStraight;
+      allowed &= ~1U;
+    }
     look_around();
     learn();
     recall();
     if ((allowed & 1U << kStraight) != 0) {
       const bool bends = coder.code(turn != kStraight, probability(kBends));
+      gate.update(bends);
       pending_[kBends] = bends ? Pending::one : Pending::zero;
       if (!bends) return kStraight;
     }
@@ -75,6 +90,7 @@ class TurnModel {
 
   // The order hides the latency of the slots: look_around() asks for the
   // next ones, learn() works on those of the last turn, recall() reads.
+  entropy::Counter& find_gate();
   void look_around();
   void learn();
   void recall();
@@ -85,6 +101,8 @@ class TurnModel {
 
   const CrackMap& cracks_;
   std::vector<Slot> slots_;
+  std::vector<entropy::Counter> gates_;
+  std::uint64_t around_ = 0;
   int table_bits_;
   entropy::Mixer<kInputs, 3, 2> mixer_;
 
