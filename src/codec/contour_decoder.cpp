@@ -49,7 +49,8 @@ Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,
                      " bytes, more than the memory limit"};
   }
   DecoderSide side(payload, ink, first_row);
-  ContourScan<DecoderSide> scan(side, ink.width(), rows, contour_table_bits(ink.width(), rows));
+  ContourScan<DecoderSide> scan(side, ink.width(), rows,
+                                contour_table_bits(ink.width(), rows));
   Status status = scan.run(progress);
   if (!status) return status.error();
   if (!side.coder().finished()) {

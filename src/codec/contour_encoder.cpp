@@ -20,9 +20,9 @@ class EncoderSide {
     const std::uint64_t open =
         horizontal(y, word) & ~cracks.horizontal_word(y, word);
     const std::uint64_t before =
-        word == 0 ? 0
-                  : horizontal(y, word - 1) &
-                        ~cracks.horizontal_word(y, word - 1);
+        word == 0
+            ? 0
+            : horizontal(y, word - 1) & ~cracks.horizontal_word(y, word - 1);
     return open & ~(open >> 1 | before << 63);
   }
 

@@ -39,8 +39,9 @@ class ContourScan {
       const auto words = static_cast<std::int32_t>(above_.size());
       for (std::int32_t word = 0; word < words; ++word) {
         if (!scan_word(y, word)) {
-          return Error{ErrorCode::corrupt, "contour payload is damaged at row " +
-                                               std::to_string(y)};
+          return Error{
+              ErrorCode::corrupt,
+              "contour payload is damaged at row " + std::to_string(y)};
         }
       }
       complete_row(y);

@@ -81,8 +81,8 @@ unsigned DssState::verdict(Quarter last) const {
   const bool keeps1 = r_ - b_ >= -1;
   const bool inside0 = r_ + a_ <= w_ - 1;
   const bool inside1 = r_ - b_ >= 0;
-  const auto age = static_cast<unsigned>(
-      std::min<int>(7, std::bit_width(static_cast<std::uint64_t>(length_)) - 1));
+  const auto age = static_cast<unsigned>(std::min<std::uint64_t>(
+      7, std::bit_width(static_cast<std::uint64_t>(length_)) - 1));
   return 32U + (keeps0 ? 1U : 0U) + (keeps1 ? 2U : 0U) + (inside0 ? 4U : 0U) +
          (inside1 ? 8U : 0U) + (last == s1_ ? 16U : 0U) +
          (((s1_ - s0_) & 3) == 1 ? 32U : 0U) + 64U * age;

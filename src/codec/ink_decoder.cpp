@@ -8,8 +8,7 @@ namespace unstep::codec {
 
 Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
                   Bitmap& ink, std::int32_t first_row, std::int32_t rows,
-                  const DecodeLimits& limits,
-                  const BlockProgress& progress) {
+                  const DecodeLimits& limits, const BlockProgress& progress) {
   if (name == CoderName{kCoderStored, 0, 0}) {
     return decode_stored(payload, ink, first_row, rows);
   }

@@ -17,8 +17,8 @@ class MatchModel {
 
   /// 0..7: how long the match is, 0 for none.
   [[nodiscard]] unsigned confidence() const {
-    static constexpr std::array<std::uint16_t, 6> kSteps{16, 20, 28, 40,
-                                                         80, 200};
+    static constexpr std::array<std::uint16_t, 6> kSteps{16, 20, 28,
+                                                         40, 80, 200};
     if (length_ == 0) return 0;
     unsigned level = 1;
     for (const std::uint16_t step : kSteps) level += length_ > step ? 1U : 0U;

@@ -23,7 +23,9 @@ constexpr unsigned along(int f, int r) {
 constexpr unsigned across(int f, int r) {
   return 20U + static_cast<unsigned>((f + 1) * 4 + r + 2);
 }
-constexpr std::uint64_t bit(unsigned place) { return std::uint64_t{1} << place; }
+constexpr std::uint64_t bit(unsigned place) {
+  return std::uint64_t{1} << place;
+}
 
 /// The crack that was just walked is always known and says nothing.
 inline constexpr std::uint64_t kAll =
@@ -31,12 +33,12 @@ inline constexpr std::uint64_t kAll =
 
 /// The cracks that bound the pixels ahead and beside.
 inline constexpr std::uint64_t kNear =
-    bit(along(0, 0)) | bit(along(1, 0)) | bit(along(0, 1)) |
-    bit(along(0, -1)) | bit(along(1, 1)) | bit(along(1, -1)) |
-    bit(along(-1, 1)) | bit(along(-1, -1)) | bit(across(0, 0)) |
-    bit(across(0, -1)) | bit(across(1, 0)) | bit(across(1, -1)) |
-    bit(across(0, 1)) | bit(across(0, -2)) | bit(across(-1, 0)) |
-    bit(across(-1, -1)) | bit(across(1, 1)) | bit(across(1, -2));
+    bit(along(0, 0)) | bit(along(1, 0)) | bit(along(0, 1)) | bit(along(0, -1)) |
+    bit(along(1, 1)) | bit(along(1, -1)) | bit(along(-1, 1)) |
+    bit(along(-1, -1)) | bit(across(0, 0)) | bit(across(0, -1)) |
+    bit(across(1, 0)) | bit(across(1, -1)) | bit(across(0, 1)) |
+    bit(across(0, -2)) | bit(across(-1, 0)) | bit(across(-1, -1)) |
+    bit(across(1, 1)) | bit(across(1, -2));
 
 /// The three cracks that may be walked next.
 inline constexpr std::uint64_t kExits =

@@ -30,8 +30,7 @@ StartModel::StartModel(const CrackMap& cracks)
   for (entropy::Counter& counter : near_) counter.p = 2000;
 }
 
-StartModel::Candidates StartModel::candidates(std::int32_t y,
-                                              std::int32_t word,
+StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
                                               std::uint64_t above,
                                               std::uint64_t used) const {
   const auto known = [&](std::int32_t w) {
@@ -41,8 +40,8 @@ StartModel::Candidates StartModel::candidates(std::int32_t y,
            cracks_.vertical_word(y + 1, w);
   };
   const std::uint64_t east = cracks_.horizontal_word(y, word);
-  const std::uint64_t west =
-      east >> 1 | cracks_.horizontal_word(y, word - 1) << 63;
+  const std::uint64_t west = east >> 1 | cracks_.horizontal_word(y, word - 1)
+                                             << 63;
   const std::uint64_t north = cracks_.vertical_word(y - 1, word);
   const std::uint64_t south = cracks_.vertical_word(y, word);
   // A start goes east and comes back from the south, so both are unknown; the
@@ -56,7 +55,8 @@ StartModel::Candidates StartModel::candidates(std::int32_t y,
 
 void StartModel::begin_row() {
   for (std::size_t i = 0; i < 2; ++i) {
-    recent_[i] = recent_[i] - recent_[i] / 4 + std::min(row_starts_[i], 64U) * 16;
+    recent_[i] =
+        recent_[i] - recent_[i] / 4 + std::min(row_starts_[i], 64U) * 16;
     row_starts_[i] = 0;
   }
 }
@@ -73,8 +73,7 @@ std::size_t StartModel::open_context(std::uint64_t mask, bool ink) const {
 
 void StartModel::note_start(bool ink) { ++row_starts_[ink ? 1 : 0]; }
 
-entropy::Counter& StartModel::tight(std::int32_t x, std::int32_t y,
-                                    bool ink) {
+entropy::Counter& StartModel::tight(std::int32_t x, std::int32_t y, bool ink) {
   const CrackMap::Address at = cracks_.at(x, y);
   const CrackMap::Address stride = cracks_.stride();
   const CrackMap::Address vertical = cracks_.vertical();
@@ -98,11 +97,10 @@ void StartModel::predict_near(std::int32_t x, std::int32_t y, bool ink) {
   const std::uint64_t full = row_ | north_ << 8 | south_ << 16 | above_ << 24 |
                              below_ << 32 | higher << 40 |
                              std::uint64_t{ink} << 48;
-  const std::uint64_t mid = (row_ >> 1 & 31) | (north_ >> 1 & 31) << 5 |
-                            (south_ >> 1 & 31) << 10 |
-                            (above_ >> 2 & 15) << 15 |
-                            (below_ >> 2 & 15) << 19 |
-                            (higher >> 2 & 15) << 23 | std::uint64_t{ink} << 27;
+  const std::uint64_t mid =
+      (row_ >> 1 & 31) | (north_ >> 1 & 31) << 5 | (south_ >> 1 & 31) << 10 |
+      (above_ >> 2 & 15) << 15 | (below_ >> 2 & 15) << 19 |
+      (higher >> 2 & 15) << 23 | std::uint64_t{ink} << 27;
   const auto slot = [&](std::size_t i, std::uint64_t value) {
     const std::uint64_t hash = (value + 1) * 0x9e3779b97f4a7c15ULL;
     active_[i] = &near_[(i << kNearBits) + (hash >> (64 - kNearBits))];

@@ -22,8 +22,8 @@ class StartModel {
 
   /// Candidate starts among the 64 points of `word` in row y.
   struct Candidates {
-    std::uint64_t near = 0;                ///< beside known cracks
-    std::array<std::uint64_t, 2> open{};   ///< far, on paper and on ink
+    std::uint64_t near = 0;               ///< beside known cracks
+    std::array<std::uint64_t, 2> open{};  ///< far, on paper and on ink
   };
   /// `above`: the pixels of row y - 1 at these points.
   [[nodiscard]] Candidates candidates(std::int32_t y, std::int32_t word,
@@ -93,8 +93,8 @@ class StartModel {
 
   const CrackMap& cracks_;
   std::array<entropy::Counter, 2 * 4 * 4 * 4> open_;
-  std::array<unsigned, 2> row_starts_{};   ///< open starts in this row
-  std::array<unsigned, 2> recent_{};       ///< decayed over the rows
+  std::array<unsigned, 2> row_starts_{};  ///< open starts in this row
+  std::array<unsigned, 2> recent_{};      ///< decayed over the rows
   std::uint64_t row_ = 0, north_ = 0, south_ = 0, above_ = 0, below_ = 0;
   std::vector<entropy::Counter> near_;
   std::array<entropy::Counter*, kContexts> active_{};

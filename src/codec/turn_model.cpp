@@ -31,8 +31,8 @@ constexpr std::array<std::int16_t, 256> make_trust() {
 
 /// Sign and magnitude of an area, 0..23.
 unsigned quantise_area(std::int64_t area) {
-  static constexpr std::array<std::int64_t, 8> kSteps{4, 6, 9, 14, 20, 30, 45,
-                                                      70};
+  static constexpr std::array<std::int64_t, 8> kSteps{4,  6,  9,  14,
+                                                      20, 30, 45, 70};
   const std::int64_t size = std::abs(area);
   unsigned level = size < 4 ? static_cast<unsigned>(size) : 3U;
   for (const std::int64_t step : kSteps) level += size >= step ? 1U : 0U;
@@ -169,8 +169,7 @@ void TurnModel::look_around() {
   };
   const Sight right = look(1);
   const Sight left = look(3);
-  const std::uint64_t bends =
-      turns_[0] | turns_[1] << 2 | turns_[2] << 4;
+  const std::uint64_t bends = turns_[0] | turns_[1] << 2 | turns_[2] << 4;
 
   const std::uint64_t verdict = dss_.verdict(direction_);
   const unsigned level = match_.confidence();
@@ -181,25 +180,24 @@ void TurnModel::look_around() {
   set_context(3, mix(run(0, 255) << 8 | run(1, 255), mix(bends & 15, base)));
   set_context(4, mix(around_ & patch::kNear, mix(history(4), base)));
   set_context(5, mix(around_ & patch::kAll, mix(history(1), base)));
-  set_context(6, mix(right.distance << 6 | right.shape,
-                     mix(history(4), base)));
+  set_context(6, mix(right.distance << 6 | right.shape, mix(history(4), base)));
   set_context(7, mix(left.distance << 6 | left.shape,
                      mix(chord(16) << 6 | history(3), base)));
-  set_context(8, mix(right.distance << 6 | right.shape,
-                     mix(left.distance << 6 | left.shape,
-                         mix(history(3), base))));
+  set_context(8,
+              mix(right.distance << 6 | right.shape,
+                  mix(left.distance << 6 | left.shape, mix(history(3), base))));
   set_context(9, mix(level << 2 | guess, mix(history(2), base)));
   set_context(10, mix((run(0, 127) << 7 | run(1, 127)) << 7 | run(2, 127),
                       mix(run(3, 127), base)));
   set_context(11, mix(chord(32), mix(history(4) << 5 | bulge(32), base)));
   set_context(12, mix(chord(64) * 4096 + chord(8), mix(bulge(64), base)));
   set_context(13, mix(verdict, mix(history(4), base)));
-  set_context(14, mix(verdict << 8 | dss_.previous_length(),
-                      mix(history(2), base)));
-  next_selectors_ = {std::min(right.distance, 7U) * 2 +
-                         (left.distance > 0 ? 16U : 0U),
-                     static_cast<std::size_t>(history(4)) * 2,
-                     (level * 4 + guess) * 2 + at_point * 64};
+  set_context(
+      14, mix(verdict << 8 | dss_.previous_length(), mix(history(2), base)));
+  next_selectors_ = {
+      std::min(right.distance, 7U) * 2 + (left.distance > 0 ? 16U : 0U),
+      static_cast<std::size_t>(history(4)) * 2,
+      (level * 4 + guess) * 2 + at_point * 64};
 }
 
 void TurnModel::learn() {
@@ -247,9 +245,8 @@ int TurnModel::probability(Node node) {
     inputs[i + 16] =
         static_cast<std::int16_t>(((counters.p[i] - 32768) * trust[i]) >> 16);
   }
-  const int x = mixer_.mix({selectors_[0] + node, selectors_[1] + node,
-                            selectors_[2] + node},
-                           node);
+  const int x = mixer_.mix(
+      {selectors_[0] + node, selectors_[1] + node, selectors_[2] + node}, node);
   return std::clamp(entropy::squash(x), 1, 65535);
 }
 

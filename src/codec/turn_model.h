@@ -112,7 +112,7 @@ class TurnModel {
   bool ink_ = false;
 
   // What it did.
-  std::uint64_t history_ = 0;  ///< two bits a turn, latest lowest
+  std::uint64_t history_ = 0;            ///< two bits a turn, latest lowest
   std::array<std::uint32_t, 4> runs_{};  ///< steps since the last turns
   std::array<std::uint8_t, 3> turns_{};  ///< the last bends
   std::uint32_t steps_ = 0;

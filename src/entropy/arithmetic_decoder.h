@@ -20,9 +20,9 @@ class ArithmeticDecoder {
   bool code(bool /*bit*/, int p1) {
     const std::uint32_t range = high_ - low_;
     const std::uint32_t middle =
-        low_ + static_cast<std::uint32_t>(
-                   (std::uint64_t{range} * static_cast<std::uint32_t>(p1)) >>
-                   16);
+        low_ +
+        static_cast<std::uint32_t>(
+            (std::uint64_t{range} * static_cast<std::uint32_t>(p1)) >> 16);
     const bool bit = value_ <= middle;
     if (bit) {
       high_ = middle;
@@ -42,9 +42,7 @@ class ArithmeticDecoder {
 
   /// Whether more was read past the end than an encoder can have dropped (8
   /// zero bytes, and 4 that the interval looks ahead): the payload is damaged.
-  [[nodiscard]] bool overrun() const {
-    return position_ > bytes_.size() + 12;
-  }
+  [[nodiscard]] bool overrun() const { return position_ > bytes_.size() + 12; }
 
  private:
   std::uint32_t next() {

@@ -19,9 +19,9 @@ class ArithmeticEncoder {
   bool code(bool bit, int p1) {
     const std::uint32_t range = high_ - low_;
     const std::uint32_t middle =
-        low_ + static_cast<std::uint32_t>(
-                   (std::uint64_t{range} * static_cast<std::uint32_t>(p1)) >>
-                   16);
+        low_ +
+        static_cast<std::uint32_t>(
+            (std::uint64_t{range} * static_cast<std::uint32_t>(p1)) >> 16);
     if (bit) {
       high_ = middle;
     } else {

@@ -29,8 +29,8 @@ inline constexpr auto kRates = make_rates();
                                             std::uint16_t rate) {
   const std::uint16_t flip = bit ? 0xffff : 0;
   auto miss = static_cast<std::uint16_t>(p ^ flip);
-  miss = static_cast<std::uint16_t>(miss -
-                                    ((std::uint32_t{miss} * rate) >> 16));
+  miss =
+      static_cast<std::uint16_t>(miss - ((std::uint32_t{miss} * rate) >> 16));
   miss = static_cast<std::uint16_t>(miss - (miss != 0 ? 1 : 0));
   return static_cast<std::uint16_t>(miss ^ flip);
 }

@@ -34,9 +34,9 @@ inline std::int32_t dot_reference(const std::int16_t* x, const std::int32_t* w,
 inline void train_reference(const std::int16_t* x, std::int32_t* w,
                             std::size_t n, std::int16_t error) {
   for (std::size_t i = 0; i < n; ++i) {
-    w[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(w[i]) +
-                                     static_cast<std::uint32_t>(
-                                         (x[i] * error) >> 4));
+    w[i] = static_cast<std::int32_t>(
+        static_cast<std::uint32_t>(w[i]) +
+        static_cast<std::uint32_t>((x[i] * error) >> 4));
   }
 }
 
@@ -129,9 +129,8 @@ class Mixer {
     l.chosen = chosen;
     std::int32_t total = 0;
     for (std::size_t s = 0; s < kSets; ++s) {
-      const std::int32_t sum =
-          mixing::dot(l.inputs.data(),
-                      weights_[s].data() + chosen[s] * kInputs, kInputs);
+      const std::int32_t sum = mixing::dot(
+          l.inputs.data(), weights_[s].data() + chosen[s] * kInputs, kInputs);
       l.outputs[s] = clamp_stretch(sum >> 12);
       total += l.outputs[s];
     }
@@ -148,9 +147,8 @@ class Mixer {
       // int16 (< 65536 * 2047 / 4096 = 32752).
       const int rate = kRateEnd + (kRateStart - kRateEnd) * 1024 / (1024 + age);
       if (age < 60000) ++age;
-      mixing::train(l.inputs.data(),
-                    weights_[s].data() + l.chosen[s] * kInputs, kInputs,
-                    static_cast<std::int16_t>((error * rate) >> 12));
+      mixing::train(l.inputs.data(), weights_[s].data() + l.chosen[s] * kInputs,
+                    kInputs, static_cast<std::int16_t>((error * rate) >> 12));
     }
   }
 
