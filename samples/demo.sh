@@ -22,7 +22,8 @@ while [ $# -gt 0 ]; do
 done
 
 if [ $install = yes ]; then
-  # shellcheck disable=SC2086 (lists of words)
+  # Lists of words, from needs.sh.
+  # shellcheck disable=SC2086,SC2154
   install_missing $needs_build $needs_demo
 fi
 
@@ -73,7 +74,7 @@ pixels() {
 
 differing=0
 row='%-24s %10s %10s %12s %7s  %s\n'
-# shellcheck disable=SC2059 (the format is the constant above)
+# shellcheck disable=SC2059
 print_row() { printf "$row" "$@"; }
 print_row file pixels 'PNG bytes' '.ustp bytes' ratio identical
 for file in samples/*.tif samples/*.png samples/*.pbm; do

@@ -1,9 +1,10 @@
+# shellcheck shell=bash disable=SC2034
 # Sourced by tests/run.sh and samples/demo.sh: the Debian packages the project
 # needs, and a function that installs those that are missing.
 
 needs_build="cmake g++ ninja-build zlib1g-dev libpng-dev libtiff-dev
   libjpeg-dev libopencv-dev libcli11-dev libfmt-dev nlohmann-json3-dev"
-needs_tests="libgtest-dev libgmock-dev libbenchmark-dev python3 clang-format-14"
+needs_tests="libgtest-dev libgmock-dev python3 clang-format-14"
 needs_demo="netpbm"
 
 # install_missing package...: does nothing if all are there. Needs root or

@@ -47,7 +47,8 @@ done
 if [ ${#presets[@]} -eq 0 ]; then presets=(asan-ubsan dev); fi
 
 if [ $install = yes ]; then
-  # shellcheck disable=SC2086 (lists of words)
+  # Lists of words, from needs.sh.
+  # shellcheck disable=SC2086,SC2154
   install_missing $needs_build $needs_tests $needs_demo
 fi
 

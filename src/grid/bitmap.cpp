@@ -11,10 +11,10 @@ namespace unstep {
 
 Result<Bitmap> Bitmap::create(std::int64_t width, std::int64_t height) {
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide) {
-    return Error{ErrorCode::out_of_range,
-                 "raster of " + std::to_string(width) + " x " +
-                     std::to_string(height) + " pixels; sides are 1 to " +
-                     std::to_string(kMaxSide)};
+    return Error{ErrorCode::out_of_range, "raster of " + std::to_string(width) +
+                                              " x " + std::to_string(height) +
+                                              " pixels; sides are 1 to " +
+                                              std::to_string(kMaxSide)};
   }
   Bitmap bitmap;
   bitmap.width_ = static_cast<std::int32_t>(width);

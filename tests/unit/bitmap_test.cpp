@@ -11,7 +11,9 @@ namespace {
 
 TEST(Bitmap, RefusesSidesOutOfRange) {
   for (const auto& [w, h] : {std::pair<std::int64_t, std::int64_t>{0, 1},
-                             {1, 0}, {-1, 5}, {std::int64_t{1} << 30, 1}}) {
+                             {1, 0},
+                             {-1, 5},
+                             {std::int64_t{1} << 30, 1}}) {
     const Result<Bitmap> bitmap = Bitmap::create(w, h);
     ASSERT_FALSE(bitmap);
     EXPECT_EQ(bitmap.error().code, ErrorCode::out_of_range);
@@ -36,7 +38,8 @@ TEST(Bitmap, RowBytesRoundTripAndKeepUnusedBitsZero) {
       bitmap.get_row_bytes(1, out, invert);
       for (std::int32_t x = 0; x < width; ++x) {
         const auto ux = static_cast<std::size_t>(x);
-        ASSERT_EQ(in[ux / 8] >> (7 - ux % 8) & 1, out[ux / 8] >> (7 - ux % 8) & 1);
+        ASSERT_EQ(in[ux / 8] >> (7 - ux % 8) & 1,
+                  out[ux / 8] >> (7 - ux % 8) & 1);
       }
     }
     EXPECT_EQ(bitmap.row(0).front(), 0U);

@@ -37,8 +37,12 @@ struct Rational {
 /// Pixels (grid units) per unit of length, exactly as the source said it.
 /// Unit none means that only the ratio x : y is known.
 struct Resolution {
-  enum class Unit : std::uint8_t { none = 0, inch = 1, centimetre = 2,
-                                   metre = 3 };
+  enum class Unit : std::uint8_t {
+    none = 0,
+    inch = 1,
+    centimetre = 2,
+    metre = 3
+  };
   Rational x;  ///< numerator 0: unknown
   Rational y;
   Unit unit = Unit::none;
@@ -86,15 +90,15 @@ struct PageEntry {
   PageInfo info;
   std::uint32_t checksum = 0;  ///< CRC-32 of the decoded page (format.md)
   struct Block {
-    std::uint64_t offset = 0;     ///< of the payload, from the file's start
-    std::uint64_t bytes = 0;      ///< of the payload
-    std::int32_t first_row = 0;   ///< ink: the band's rows
+    std::uint64_t offset = 0;    ///< of the payload, from the file's start
+    std::uint64_t bytes = 0;     ///< of the payload
+    std::int32_t first_row = 0;  ///< ink: the band's rows
     std::int32_t rows = 0;
-    std::uint64_t chains = 0;     ///< chains: how many
+    std::uint64_t chains = 0;  ///< chains: how many
     std::uint64_t steps = 0;
-    std::uint8_t coder = 0;       ///< coder id, format.md
-    std::uint8_t revision = 0;    ///< model revision
-    std::uint8_t table = 0;       ///< warm-start table, 0 = none
+    std::uint8_t coder = 0;     ///< coder id, format.md
+    std::uint8_t revision = 0;  ///< model revision
+    std::uint8_t table = 0;     ///< warm-start table, 0 = none
   };
   std::vector<Block> blocks;
 };
