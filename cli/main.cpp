@@ -49,11 +49,10 @@ std::vector<std::string> reversed_arguments(int argc, char** argv) {
 ExitCode run(int argc, char** argv) {
   CLI::App app("Stores line art in small files, without loss.", "unstep");
   app.footer(kExitCodeHelp);
-  app.set_version_flag(
-      "--version",
-      fmt::format("unstep {} (format {}, pre-release)", version(),
-                  kFormatVersion),
-      "Print the version of the program and of the file format");
+  app.set_version_flag("--version",
+                       fmt::format("unstep {} (format {}, pre-release)",
+                                   version(), kFormatVersion),
+                       "Print the versions of program and file format");
   app.require_subcommand(1);
   Context context;
   for (const AddVerb add_verb : kVerbs) add_verb(app, context);
