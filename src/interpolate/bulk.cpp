@@ -88,21 +88,26 @@ struct Word {
   Step rare_step;
 };
 
-Step* plain_tail(Word w, bool shrinking, Step* out) {
-  while ((w.common_left | w.rare_left) != 0) {
-    if (w.g >= 0) {
-      --w.rare_left;
-      if (shrinking) --w.rare;
-      w.g -= w.common;
-      *out++ = w.rare_step;
+template <bool shrinking>
+Step* draw_letters(const Word& w, Step* out) {
+  std::int64_t common = w.common;
+  std::int64_t rare = w.rare;
+  std::int64_t g = w.g;
+  const std::int64_t n = w.common_left + w.rare_left;
+  const Step common_step = w.common_step;
+  const Step rare_step = w.rare_step;
+  for (std::int64_t i = 0; i < n; ++i) {
+    if (g < 0) {
+      if (shrinking) --common;
+      g += rare;
+      out[i] = common_step;
     } else {
-      --w.common_left;
-      if (shrinking) --w.common;
-      w.g += w.rare;
-      *out++ = w.common_step;
+      if (shrinking) --rare;
+      g -= common;
+      out[i] = rare_step;
     }
   }
-  return out;
+  return out + n;
 }
 
 Step* fill(Step* out, Step step, std::int64_t n) {
@@ -112,7 +117,70 @@ Step* fill(Step* out, Step step, std::int64_t n) {
 
 // INVARIANT at the head of the loop: 0 <= g < m, the rare letter is next.
 // After it g < 0 or the ratio has turned; k = ceil(-g / m) common letters
-// follow, guessed as q or q + 1 and checked by 0 <= g < m.
+// follow, guessed as q or q + 1 and checked by 0 <= g < m. Locals, not the
+// members of `w`, so that all of them stay in registers.
+template <bool shrinking>
+Step* draw_runs(Word& w, Step* out, const Step* end) {
+  const std::uint64_t commons = kBytes * w.common_step;
+  const std::uint64_t pattern = (commons & ~std::uint64_t{0xFF}) | w.rare_step;
+  std::int64_t common = w.common;
+  std::int64_t rare = w.rare;
+  std::int64_t common_left = w.common_left;
+  std::int64_t rare_left = w.rare_left;
+  std::int64_t g = w.g;
+  std::int64_t q = common / rare;
+  std::int64_t advance = q * rare;
+  // Whole words are stored, up to 8 bytes past a run of q + 2 letters.
+  while (rare_left > 1 && common_left > 0 && end - out >= q + 16) {
+    const std::int64_t next_rare = rare - (shrinking ? 1 : 0);
+    if (shrinking) advance -= q;
+    const std::int64_t guess = g + (advance - common);
+    const std::int64_t more = guess >> 63;
+    std::int64_t next_g = guess + (next_rare & more);
+    std::int64_t k = q - more;
+    if (shrinking && static_cast<std::uint64_t>(next_g) >=
+                         static_cast<std::uint64_t>(next_rare)) {
+      const std::int64_t behind = common - g;
+      k = behind > 0 ? (behind + next_rare - 1) / next_rare : 0;
+      q = (common - k) / next_rare;
+      if (end - out < k + 16) break;
+      next_g = k * next_rare - behind;
+      advance = q * next_rare;
+    }
+    g = next_g;
+    rare = next_rare;
+    --rare_left;
+    common_left -= k;
+    if (shrinking) common -= k;
+    std::memcpy(out, &pattern, 8);
+    for (std::int64_t i = 8; i <= k; i += 8) std::memcpy(out + i, &commons, 8);
+    out += k + 1;
+  }
+  w.common = common;
+  w.rare = rare;
+  w.common_left = common_left;
+  w.rare_left = rare_left;
+  w.g = g;
+  return out;
+}
+
+// Near the end of the output, where draw_runs lacks room to overshoot.
+template <bool shrinking>
+Step* draw_exact_runs(Word& w, Step* out) {
+  while (w.rare_left > 1 && w.common_left > 0 && w.g >= 0) {
+    *out++ = w.rare_step;
+    --w.rare_left;
+    if (shrinking) --w.rare;
+    w.g -= w.common;
+    const std::int64_t k = w.g < 0 ? (-w.g + w.rare - 1) / w.rare : 0;
+    out = fill(out, w.common_step, k);
+    w.common_left -= k;
+    if (shrinking) w.common -= k;
+    w.g += k * w.rare;
+  }
+  return out;
+}
+
 template <bool shrinking>
 Step* draw_word(Word w, Step* out, const Step* end) {
   if (w.rare_left == 0) return fill(out, w.common_step, w.common_left);
@@ -123,37 +191,16 @@ Step* draw_word(Word w, Step* out, const Step* end) {
     if (shrinking) w.common -= k;
     w.g += k * w.rare;
   }
-  const std::uint64_t pattern =
-      (kBytes * w.common_step & ~std::uint64_t{0xFF}) | w.rare_step;
-  std::int64_t q = w.common / w.rare;
-  while (w.rare_left > 1 && w.common_left > 0 && end - out >= 8) {
-    --w.rare_left;
-    if (shrinking) --w.rare;
-    w.g -= w.common;
-    const std::int64_t guess = w.g + q * w.rare;
-    const std::int64_t more = guess >> 63;
-    std::int64_t k = q - more;
-    std::int64_t g = guess + (w.rare & more);
-    if (shrinking &&
-        static_cast<std::uint64_t>(g) >= static_cast<std::uint64_t>(w.rare)) {
-      k = w.g < 0 ? (-w.g + w.rare - 1) / w.rare : 0;
-      g = w.g + k * w.rare;
-      q = (w.common - k) / w.rare;
-    }
-    w.g = g;
-    w.common_left -= k;
-    if (shrinking) w.common -= k;
-    std::memcpy(out, &pattern, 8);
-    if (k > 7)
-      std::memset(out + 8, w.common_step, static_cast<std::size_t>(k) - 7);
-    out += k + 1;
-  }
+  // Runs of two or three letters are no faster than letters.
+  if (2 * w.common >= (shrinking ? 5 : 3) * w.rare)
+    out = draw_runs<shrinking>(w, out, end);
+  if (w.common >= 16 * w.rare) out = draw_exact_runs<shrinking>(w, out);
   if (w.common_left == 0) return fill(out, w.rare_step, w.rare_left);
-  if (w.rare_left == 1) {
+  if (w.rare_left == 1 && w.g >= 0) {
     *out++ = w.rare_step;
     return fill(out, w.common_step, w.common_left);
   }
-  return plain_tail(w, shrinking, out);  // within 8 bytes of the end
+  return draw_letters<shrinking>(w, out);
 }
 
 // The word of each method; see docs/algorithms.md for the rewriting of its

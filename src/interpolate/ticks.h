@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "unstep/grid.h"
@@ -32,8 +34,8 @@ struct Quadrant {
 
   /// The diagonal code lies between the two, 7 between 6 and 0.
   [[nodiscard]] constexpr Step diagonal() const {
-    if (along_x == 0) return along_y == 2 ? 1 : 7;
-    return along_y == 2 ? 3 : 5;
+    constexpr std::array<Step, 4> kCode{1, 3, 7, 5};
+    return kCode[static_cast<std::size_t>(along_x >> 2 | along_y >> 2 << 1)];
   }
 };
 

@@ -8,6 +8,7 @@
 #include "interpolate/arc_walk.h"
 #include "interpolate/circular.h"
 #include "unit/interpolate_oracle.h"
+#include "unit/method_test_name.h"
 #include "unstep/interpolate.h"
 
 namespace unstep {

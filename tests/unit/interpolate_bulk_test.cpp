@@ -3,7 +3,7 @@
 #include <random>
 #include <vector>
 
-#include "unit/interpolate_oracle.h"
+#include "unit/method_test_name.h"
 #include "unstep/interpolate.h"
 
 namespace unstep {

@@ -9,6 +9,7 @@
 
 #include "interpolate/rate_multiplier.h"
 #include "unit/interpolate_oracle.h"
+#include "unit/method_test_name.h"
 #include "unstep/interpolate.h"
 
 namespace unstep {

@@ -1,26 +1,16 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <string>
 
 #include "unstep/interpolate.h"
 
 /// The brute-force oracle of forward interpolation: follows every tick and
 /// measures the distance to the true line or circle in long double.
 namespace unstep::oracle {
-
-/// The name of a parameter of a value-parametrised test.
-inline std::string test_name(const testing::TestParamInfo<Method>& parameter) {
-  std::string name(method_info(parameter.param).name);
-  std::erase(name, '-');
-  return name;
-}
 
 struct Trace {
   long double worst = 0;  ///< largest distance from the true curve, units
