@@ -45,27 +45,9 @@ class BasicDeviceReverse {
   /// Pushed::segment; one step closes at most one segment.
   Pushed push(Step step, Segment& closed) {
     if (step > 7 || (step & 1) != 0) return Pushed::refused;
-    if (read_out_) clear();
-    const bool vertical = (step & 2) != 0;
     const bool negative = (step & 4) != 0;
-    const DeviceRegisters before = device_.registers();
-    bool& sign = vertical ? negative_y_ : negative_x_;
-    Pushed result = Pushed::open;
-    if ((vertical ? before.y : before.x) > 0 && sign != negative) {
-      closed = read();
-      clear();
-      result = Pushed::segment;
-    }
-    sign = negative;
-    using Axis = DeviceRegisters::Axis;
-    const bool breaks = device_.accept(vertical ? Axis::y : Axis::x);
-    const DeviceRegisters after = device_.registers();
-    if (breaks || (vertical ? after.y : after.x) == capacity_) {
-      closed = read();
-      read_out_ = true;
-      result = Pushed::segment;
-    }
-    return result;
+    return (step & 2) != 0 ? push_axis<true>(negative, closed)
+                           : push_axis<false>(negative, closed);
   }
 
   /// End of message. True if a segment was open: it is written and the device
@@ -84,6 +66,35 @@ class BasicDeviceReverse {
   [[nodiscard]] const Device& device() const { return device_; }
 
  private:
+  template <bool vertical>
+  Pushed push_axis(bool negative, Segment& closed) {
+    if (read_out_) clear();
+    bool& sign = vertical ? negative_y_ : negative_x_;
+    Pushed result = Pushed::open;
+    if (sign != negative) {
+      if (count<vertical>() > 0) {
+        closed = read();
+        clear();
+        result = Pushed::segment;
+      }
+      sign = negative;
+    }
+    using Axis = DeviceRegisters::Axis;
+    const bool breaks = device_.accept(vertical ? Axis::y : Axis::x);
+    if (breaks || count<vertical>() == capacity_) {
+      closed = read();
+      read_out_ = true;
+      result = Pushed::segment;
+    }
+    return result;
+  }
+
+  template <bool vertical>
+  [[nodiscard]] std::int64_t count() const {
+    const DeviceRegisters now = device_.registers();
+    return vertical ? now.y : now.x;
+  }
+
   [[nodiscard]] Segment read() const {
     const DeviceRegisters now = device_.registers();
     const auto x = static_cast<std::int32_t>(now.x);
