@@ -90,22 +90,21 @@ struct Word {
 
 template <bool shrinking>
 Step* draw_letters(const Word& w, Step* out) {
-  std::int64_t common = w.common;
-  std::int64_t rare = w.rare;
+  if constexpr (shrinking) {
+    // The word of A1 is A1 with x the common letter.
+    DeviceRegisters device{w.common, w.rare, w.g,
+                           (w.common_left | w.rare_left) != 0};
+    while (device.forward)
+      *out++ = device.clock() == DeviceRegisters::Axis::x ? w.common_step
+                                                          : w.rare_step;
+    return out;
+  }
   std::int64_t g = w.g;
   const std::int64_t n = w.common_left + w.rare_left;
-  const Step common_step = w.common_step;
-  const Step rare_step = w.rare_step;
   for (std::int64_t i = 0; i < n; ++i) {
-    if (g < 0) {
-      if (shrinking) --common;
-      g += rare;
-      out[i] = common_step;
-    } else {
-      if (shrinking) --rare;
-      g -= common;
-      out[i] = rare_step;
-    }
+    const bool common = g < 0;
+    g += common ? w.rare : -w.common;
+    out[i] = common ? w.common_step : w.rare_step;
   }
   return out + n;
 }
