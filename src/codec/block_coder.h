@@ -47,17 +47,17 @@ Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
                   Bitmap& ink, std::int32_t first_row, std::int32_t rows,
                   const DecodeLimits& limits, const BlockProgress& progress);
 
-/// Encodes chains in their order. REQUIRES: valid chains (grid.h).
-Result<EncodedBlock> encode_chains(std::span<const Chain> chains,
+/// Encodes chains in their order. invalid_argument for chains that are not
+/// valid (grid.h). `axis` is that of the canvas.
+Result<EncodedBlock> encode_chains(std::span<const Chain> chains, YAxis axis,
                                    const BlockProgress& progress);
 
 /// Decodes exactly `count` chains of `steps` steps in all; both were checked
-/// against the limits by the caller.
-Result<std::vector<Chain>> decode_chains(const CoderName& name,
-                                         std::span<const std::uint8_t> payload,
-                                         std::uint64_t count,
-                                         std::uint64_t steps,
-                                         const DecodeLimits& limits,
-                                         const BlockProgress& progress);
+/// against the limits by the caller. The chains are valid (grid.h). Every
+/// payload byte must be consumed.
+Result<std::vector<Chain>> decode_chains(
+    const CoderName& name, std::span<const std::uint8_t> payload,
+    std::uint64_t count, std::uint64_t steps, YAxis axis,
+    const BlockProgress& progress);
 
 }  // namespace unstep::codec

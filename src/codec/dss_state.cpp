@@ -2,7 +2,7 @@
 
 namespace unstep::codec {
 
-void DssState::start(Quarter step) {
+void DssState::start(int step) {
   previous_ = length_;
   s0_ = step;
   s1_ = -1;
@@ -11,7 +11,7 @@ void DssState::start(Quarter step) {
   length_ = 1;
 }
 
-void DssState::push(Quarter step) {
+void DssState::push(int step) {
   if (s0_ < 0 || length_ >= kMaxLength) return start(step);
   if (s1_ < 0) {
     if (step == s0_) {
@@ -19,7 +19,8 @@ void DssState::push(Quarter step) {
       ++length_;
       return;
     }
-    if (((step - s0_) & 1) == 0) return start(step);
+    const int apart = (step - s0_) & (ring_ - 1);
+    if (apart != 1 && apart != ring_ - 1) return start(step);
     s1_ = step;
     a_ = 1;
     b_ = x_;
@@ -72,7 +73,7 @@ void DssState::push(Quarter step) {
   }
 }
 
-unsigned DssState::verdict(Quarter last) const {
+unsigned DssState::verdict(int last) const {
   if (s0_ < 0) return 0;
   if (s1_ < 0) {
     return 1 + static_cast<unsigned>(std::min<std::int64_t>(length_, 24));
@@ -85,7 +86,7 @@ unsigned DssState::verdict(Quarter last) const {
       7, std::bit_width(static_cast<std::uint64_t>(length_)) - 1));
   return 32U + (keeps0 ? 1U : 0U) + (keeps1 ? 2U : 0U) + (inside0 ? 4U : 0U) +
          (inside1 ? 8U : 0U) + (last == s1_ ? 16U : 0U) +
-         (((s1_ - s0_) & 3) == 1 ? 32U : 0U) + 64U * age;
+         (((s1_ - s0_) & (ring_ - 1)) == 1 ? 32U : 0U) + 64U * age;
 }
 
 std::uint32_t DssState::slope() const {

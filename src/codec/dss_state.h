@@ -4,13 +4,12 @@
 #include <bit>
 #include <cstdint>
 
-#include "codec/crack_map.h"
-
 namespace unstep::codec {
 
-/// A running digital-straight-segment recogniser over a 4-connected walk: the
-/// reverse interpolator used as a predictor. Greedy: a step that no straight
-/// line can explain closes the segment and opens the next.
+/// A running digital-straight-segment recogniser over a walk: the reverse
+/// interpolator used as a predictor. Greedy: a step that no straight line can
+/// explain closes the segment and opens the next. Steps are directions of a
+/// ring of 4 or 8; the two letters of a segment are neighbours on the ring.
 ///
 /// Works on the two-letter word of the segment (directions s0 and s1). The
 /// line has A steps s1 in W = A + B steps; r is the remainder of the current
@@ -21,12 +20,15 @@ class DssState {
  public:
   static constexpr std::int64_t kMaxLength = 1 << 30;
 
-  void reset() { *this = DssState(); }
-  void push(Quarter step);
+  /// `ring`: 4 or 8, for 4- or 8-connected walks.
+  explicit DssState(int ring = 4) : ring_(ring) {}
+
+  void reset() { *this = DssState(ring_); }
+  void push(int step);
 
   /// Which of the two letters would keep the segment, and the segment's age:
   /// 0..1023.
-  [[nodiscard]] unsigned verdict(Quarter last) const;
+  [[nodiscard]] unsigned verdict(int last) const;
   /// The slope as (W, A) while W < 64, else coarse.
   [[nodiscard]] std::uint32_t slope() const;
   [[nodiscard]] std::uint32_t remainder() const {
@@ -38,8 +40,9 @@ class DssState {
   }
 
  private:
-  void start(Quarter step);
+  void start(int step);
 
+  int ring_;
   int s0_ = -1;
   int s1_ = -1;
   std::int64_t x_ = 0, y_ = 0;  // counts of s0 and s1 so far

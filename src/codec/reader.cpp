@@ -149,7 +149,7 @@ Status UstpReader::Impl::decode_chains(const PageEntry& entry,
     const BlockProgress progress = sum.block();
     Result<std::vector<Chain>> chains =
         codec::decode_chains(coder_name(block), payload(block), block.chains,
-                             block.steps, options.limits, progress);
+                             block.steps, entry.canvas.y_axis, progress);
     if (!chains) return in_block(block, i, chains.error());
     const Result<codec::ChainSurvey> survey =
         codec::survey_chains(*chains, entry.canvas.y_axis);

@@ -83,9 +83,9 @@ Status prove_band(const Bitmap& ink, const BlockParts& band,
 
 Status prove_chains(const Drawing& drawing, const BlockParts& block,
                     const BlockProgress& progress) {
-  const Result<std::vector<Chain>> decoded =
-      codec::decode_chains(block.encoded.name, block.encoded.payload,
-                           block.chains, block.steps, kNoLimits, progress);
+  const Result<std::vector<Chain>> decoded = codec::decode_chains(
+      block.encoded.name, block.encoded.payload, block.chains, block.steps,
+      drawing.canvas.y_axis, progress);
   if (!decoded) {
     if (decoded.error().code == ErrorCode::cancelled) return decoded.error();
     return proof_failed(decoded.error().message);
@@ -201,7 +201,8 @@ Status UstpWriter::Impl::encode_chains(const Drawing& drawing,
   if (!survey) return survey.error();
   ProgressSum sum(options.progress, drawing.chains.size() * passes());
   const BlockProgress progress = sum.block();
-  Result<EncodedBlock> encoded = codec::encode_chains(drawing.chains, progress);
+  Result<EncodedBlock> encoded =
+      codec::encode_chains(drawing.chains, drawing.canvas.y_axis, progress);
   if (!encoded) return encoded.error();
   if (Status more = ProgressSum::complete(progress, drawing.chains.size());
       !more) {

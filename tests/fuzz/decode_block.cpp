@@ -49,7 +49,7 @@ void decode_ink(const codec::CoderName& name, std::uint32_t width,
 void decode_chains(const codec::CoderName& name, std::uint32_t count,
                    std::uint32_t steps, std::span<const std::uint8_t> payload) {
   const auto chains =
-      codec::decode_chains(name, payload, count, steps, limits(), {});
+      codec::decode_chains(name, payload, count, steps, YAxis::down, {});
   if (!chains) return require_sound(chains.error());
   require(chains->size() == count, "as many chains as declared");
   std::uint64_t found = 0;

@@ -1,0 +1,256 @@
+#include "codec/chain_model.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+
+namespace unstep::codec {
+namespace {
+
+constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;
+
+/// Stands for the turns before the first step.
+constexpr std::uint64_t kNoHistory = 0x4924924924924924ULL;
+
+std::array<std::int32_t, ChainModel::kInputs> initial_weights() {
+  std::array<std::int32_t, ChainModel::kInputs> weights{};
+  for (std::size_t i = 0; i < ChainModel::kContexts; ++i) {
+    weights[i] = weights[i + 16] = (1 << 24) / 8;
+  }
+  return weights;
+}
+
+/// The weight of (p - 1/2) as a second input of each counter: it grows with
+/// the age n, up to 30 observations; the product is at most 32768 * 1530 >> 16.
+constexpr std::array<std::int16_t, 256> make_trust() {
+  std::array<std::int16_t, 256> trust{};
+  for (std::size_t n = 0; n < trust.size(); ++n) {
+    trust[n] = static_cast<std::int16_t>(51 * std::min<std::size_t>(n, 30));
+  }
+  return trust;
+}
+
+/// Sign and magnitude of an area, 0..23.
+unsigned quantise_area(std::int64_t area) {
+  static constexpr std::array<std::int64_t, 8> kSteps{4,  6,  9,  14,
+                                                      20, 30, 45, 70};
+  const std::int64_t size = std::abs(area);
+  unsigned level = size < 4 ? static_cast<unsigned>(size) : 3U;
+  for (const std::int64_t step : kSteps) level += size >= step ? 1U : 0U;
+  return area < 0 ? 12 + level : level;
+}
+
+std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
+  return a * kGolden ^ (b * 0xc2b2ae3d27d4eb4fULL + 0x165667b19e3779f9ULL) ^
+         (a >> 29);
+}
+
+}  // namespace
+
+ChainModel::ChainModel(int table_bits)
+    : table_bits_(table_bits),
+      slots_(kContexts << table_bits),
+      mixer_({64, 512, 1024}, initial_weights()),
+      visits_(table_bits) {
+  for (Slot& slot : slots_) slot.p.fill(32768);
+}
+
+void ChainModel::begin(const ChainHead& head) {
+  origin_ = head.origin;
+  closed_ = head.closed;
+  four_ = head.connectivity == Connectivity::four;
+  left_ = head.steps;
+  direction_ = 0;
+  history_ = kNoHistory;
+  runs_ = {};
+  bends_ = {};
+  steps_ = 0;
+  here_ = {head.origin, 0};
+  trail_[0] = here_;
+  dss_ = DssState(four_ ? 4 : 8);
+  visits_.mark(here_.at);
+}
+
+unsigned ChainModel::allowed_turns() const {
+  const unsigned turns = four_ ? 0x55 : 0xff;
+  if (!closed_) return turns;
+  const auto distance = [&](Point p) {
+    const std::int64_t dx = std::abs(std::int64_t{origin_.x} - p.x);
+    const std::int64_t dy = std::abs(std::int64_t{origin_.y} - p.y);
+    return static_cast<std::uint64_t>(four_ ? dx + dy : std::max(dx, dy));
+  };
+  if (distance(here_.at) + 2 <= left_) return turns;
+  unsigned allowed = 0;
+  for (unsigned turn = 0; turn < 8; ++turn) {
+    const Point move = step_delta((direction_ + turn) & 7U);
+    if ((turns >> turn & 1) != 0 &&
+        distance({here_.at.x + move.x, here_.at.y + move.y}) < left_) {
+      allowed |= 1U << turn;
+    }
+  }
+  return allowed;
+}
+
+/// The last steps as a vector, in the frame of the current quarter.
+std::uint64_t ChainModel::chord(std::uint32_t steps) const {
+  if (steps_ < steps) return 0;
+  const Point from = trail_[(steps_ - steps) % trail_.size()].at;
+  std::int32_t dx = here_.at.x - from.x;
+  std::int32_t dy = here_.at.y - from.y;
+  for (unsigned q = 0; q < direction_ / 2U; ++q) {
+    const std::int32_t t = dx;
+    dx = dy;
+    dy = -t;
+  }
+  return static_cast<std::uint64_t>((dx + 128) << 9 | (dy + 128) << 1 |
+                                    (direction_ & 1));
+}
+
+/// Doubled area between the last steps and their chord (F of SU 1089551).
+unsigned ChainModel::bulge(std::uint32_t steps) const {
+  if (steps_ < steps) return 0;
+  const Trail& from = trail_[(steps_ - steps) % trail_.size()];
+  const std::int64_t dx = std::int64_t{here_.at.x} - from.at.x;
+  const std::int64_t dy = std::int64_t{here_.at.y} - from.at.y;
+  const std::int64_t x = std::int64_t{from.at.x} - origin_.x;
+  const std::int64_t y = std::int64_t{from.at.y} - origin_.y;
+  return quantise_area(static_cast<std::int64_t>(here_.area - from.area) -
+                       (y * dx - x * dy));
+}
+
+/// The way home of a closed chain that must be there soon, else 0.
+std::uint64_t ChainModel::home() const {
+  if (!closed_ || left_ > 20) return 0;
+  std::int32_t dx = origin_.x - here_.at.x;
+  std::int32_t dy = origin_.y - here_.at.y;
+  for (unsigned q = 0; q < direction_ / 2U; ++q) {
+    const std::int32_t t = dx;
+    dx = dy;
+    dy = -t;
+  }
+  return (left_ << 12 | static_cast<std::uint64_t>((dx + 32) << 6 | (dy + 32)))
+             << 1 |
+         (direction_ & 1);
+}
+
+void ChainModel::set_context(std::size_t i, std::uint64_t value) {
+  const std::uint64_t hash = (value + i) * kGolden;
+  Slot* slot = &slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
+  __builtin_prefetch(slot, 1);
+  next_[i] = slot;
+  checks_[i] = static_cast<std::uint16_t>(hash >> 8);
+}
+
+void ChainModel::ask_slots() {
+  const std::uint64_t base =
+      (closed_ ? 1U : 0U) | (four_ ? 2U : 0U) | (direction_ & 1U) << 2;
+  const auto history = [&](unsigned turns) {
+    return history_ & ((std::uint64_t{1} << (3 * turns)) - 1);
+  };
+  const auto run = [&](std::size_t k, std::uint32_t limit) {
+    return std::uint64_t{std::min(runs_[k], limit)};
+  };
+  const std::uint64_t bends =
+      bends_[0] | std::uint64_t{bends_[1]} << 3 | std::uint64_t{bends_[2]} << 6;
+  const ChainVisits::Rings rings = visits_.around(here_.at, direction_);
+  const std::uint64_t ahead = (rings.two & 0x1f) | (rings.two >> 12) << 5;
+  const std::uint64_t near = rings.one | ahead << 8;
+  const std::uint64_t all = rings.one | std::uint64_t{rings.two} << 8 |
+                            std::uint64_t{rings.three} << 24;
+  const std::uint64_t verdict =
+      dss_.verdict(four_ ? direction_ / 2 : direction_);
+  const unsigned level = match_.confidence();
+  const unsigned guess = level > 0 ? match_.prediction() : 0;
+  const std::uint64_t way_home = home();
+
+  set_context(0, mix(history(1), base));
+  set_context(1, mix(history(3), base));
+  set_context(2, mix(history(5), base));
+  set_context(3, mix(history(8), base));
+  set_context(4, mix(history(12), base));
+  set_context(5, mix(run(0, 255) << 8 | run(1, 255), mix(bends & 63, base)));
+  set_context(6, mix((run(0, 127) << 7 | run(1, 127)) << 14 | run(2, 127) << 7 |
+                         run(3, 127),
+                     mix(bends, base)));
+  set_context(7, mix(near, mix(history(2), base)));
+  set_context(8, mix(all, mix(history(1), base)));
+  set_context(
+      9, mix(verdict << 8 | dss_.previous_length(), mix(history(2), base)));
+  set_context(10, mix(verdict, mix(history(4), base)));
+  set_context(11, mix(chord(16), mix(bulge(16) << 9 | history(3), base)));
+  set_context(12, mix(chord(32), mix(bulge(32) << 9 | history(3), base)));
+  set_context(13, mix(level << 3 | guess, mix(history(2), base)));
+  set_context(14, way_home != 0 ? mix(way_home, mix(history(1), base + 8))
+                                : mix(history(4) << 3 | direction_, base));
+  next_selectors_ = {
+      std::min<std::size_t>(std::bit_width(runs_[0]), 7) * 8,
+      static_cast<std::size_t>(history(2)) * 8,
+      (level * 8 + guess) * 8 + (rings.one != 0 && ahead != 0 ? 512U : 0U)};
+}
+
+void ChainModel::learn() {
+  for (std::size_t lane = 0; lane < decided_; ++lane) {
+    const auto [node, bit] = decisions_[lane];
+    mixer_.update(bit, lane);
+    for (Slot* slot : active_) {
+      std::uint8_t& n = slot->n[node];
+      slot->p[node] =
+          entropy::moved(slot->p[node], bit, entropy::detail::kRates[n]);
+      n = static_cast<std::uint8_t>(n + (n < entropy::Counter::kLimit ? 1 : 0));
+    }
+  }
+  decided_ = 0;
+}
+
+void ChainModel::recall() {
+  active_ = next_;
+  selectors_ = next_selectors_;
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    Slot& slot = *active_[i];
+    if (slot.check == checks_[i]) continue;
+    slot.p.fill(32768);
+    slot.n.fill(0);
+    slot.check = checks_[i];
+  }
+}
+
+int ChainModel::probability(Node node) {
+  static constexpr auto kTrust = make_trust();
+  decisions_[decided_].node = node;
+  auto& inputs = mixer_.inputs(decided_);
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    const Slot& slot = *active_[i];
+    inputs[i] = static_cast<std::int16_t>(entropy::stretch(slot.p[node]));
+    inputs[i + 16] = static_cast<std::int16_t>(
+        ((slot.p[node] - 32768) * kTrust[slot.n[node]]) >> 16);
+  }
+  inputs[kContexts] = 77;
+  const int x = mixer_.mix(
+      {selectors_[0] + node, selectors_[1] + node, selectors_[2] + node},
+      decided_);
+  return std::clamp(entropy::squash(x), 1, 65535);
+}
+
+void ChainModel::advance(unsigned turn) {
+  match_.push(turn);
+  history_ = history_ << 3 | turn;
+  if (turn == 0) {
+    ++runs_[0];
+  } else {
+    runs_ = {0, runs_[0], runs_[1], runs_[2]};
+    bends_ = {static_cast<std::uint8_t>(turn), bends_[0], bends_[1]};
+  }
+  direction_ = static_cast<Step>((direction_ + turn) & 7U);
+  dss_.push(four_ ? direction_ / 2 : direction_);
+  const Point move = step_delta(direction_);
+  here_.area += static_cast<std::uint64_t>(
+      (std::int64_t{here_.at.y} - origin_.y) * move.x -
+      (std::int64_t{here_.at.x} - origin_.x) * move.y);
+  here_.at.x += move.x;
+  here_.at.y += move.y;
+  trail_[++steps_ % trail_.size()] = here_;
+  visits_.mark(here_.at);
+  --left_;
+}
+
+}  // namespace unstep::codec

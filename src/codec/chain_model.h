@@ -1,0 +1,146 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "codec/chain_coder.h"
+#include "codec/chain_match.h"
+#include "codec/chain_visits.h"
+#include "codec/dss_state.h"
+#include "entropy/counter.h"
+#include "entropy/mixer.h"
+
+namespace unstep::codec {
+
+/// Predicts the steps of chains. Encoder and decoder run the same object in
+/// step; everything is integer.
+///
+/// A turn is the difference of a step to the one before, modulo 8, so 4 turns
+/// back. It is coded as up to five binary decisions.
+class ChainModel {
+ public:
+  static constexpr std::size_t kContexts = 15;
+  static constexpr std::size_t kInputs = 32;
+  static constexpr std::size_t kDecisions = 5;  ///< of one turn, at most
+
+  /// 2^table_bits slots per context.
+  explicit ChainModel(int table_bits);
+
+  /// A chain starts at an origin.
+  void begin(const ChainHead& head);
+
+  /// Codes the next step and goes along it. Returns whether there was one
+  /// possible: a closed chain must be able to come home in time.
+  template <class Coder>
+  bool code(Coder& coder, Step& step) {
+    const unsigned allowed = allowed_turns();
+    if (allowed == 0) return false;
+    // The order hides the latency of the slots: the first asks for them, the
+    // second works on those of the step before.
+    ask_slots();
+    learn();
+    recall();
+    const unsigned turn = code_turn(coder, (step - direction_) & 7U, allowed);
+    step = static_cast<Step>((direction_ + turn) & 7U);
+    advance(turn);
+    return true;
+  }
+
+  [[nodiscard]] Point position() const { return here_.at; }
+
+ private:
+  /// The binary decisions of a turn: whether there is one, to which side, and
+  /// whether it is beyond 1, 2, 3 eighths.
+  enum Node : std::uint8_t {
+    kBends,
+    kToRight,
+    kLeft2,
+    kLeft3,
+    kLeft4,
+    kRight2,
+    kRight3,
+    kNodes
+  };
+  struct alignas(32) Slot {  ///< a context's memory: a counter for each node
+    std::array<std::uint16_t, 8> p;
+    std::array<std::uint8_t, 8> n;
+    std::uint16_t check;
+  };
+  struct Decision {  ///< one that is not yet learned from
+    Node node;
+    bool bit;
+  };
+  struct Trail {
+    Point at;
+    std::uint64_t area;  ///< modulo 2^64: a long walk may wind many times
+  };
+
+  template <class Coder>
+  unsigned code_turn(Coder& coder, unsigned turn, unsigned allowed) {
+    // `ones`: the turns that the decision's 1 leaves, of those in question.
+    const auto decide = [&](Node node, unsigned ones) {
+      ones &= allowed;
+      bool one = ones != 0;
+      if (one && ones != allowed) {
+        one = coder.code((ones >> turn & 1) != 0, probability(node));
+        decisions_[decided_++].bit = one;
+      }
+      allowed = one ? ones : allowed & ~ones;
+      return one;
+    };
+    if (!decide(kBends, 0xfe)) return 0;
+    if (decide(kToRight, 0xe0)) {
+      if (!decide(kRight2, 0x60)) return 7;
+      return decide(kRight3, 0x20) ? 5 : 6;
+    }
+    if (!decide(kLeft2, 0x1c)) return 1;
+    if (!decide(kLeft3, 0x18)) return 2;
+    return decide(kLeft4, 0x10) ? 4 : 3;
+  }
+
+  [[nodiscard]] unsigned allowed_turns() const;
+  void ask_slots();
+  void set_context(std::size_t i, std::uint64_t value);
+  void learn();
+  void recall();
+  int probability(Node node);
+  void advance(unsigned turn);
+  [[nodiscard]] std::uint64_t chord(std::uint32_t steps) const;
+  [[nodiscard]] unsigned bulge(std::uint32_t steps) const;
+  [[nodiscard]] std::uint64_t home() const;
+
+  int table_bits_;
+  std::vector<Slot> slots_;
+  entropy::Mixer<kInputs, 3, kDecisions> mixer_;
+  ChainMatch match_;
+  ChainVisits visits_;
+
+  // The chain.
+  Point origin_;
+  bool closed_ = false;
+  bool four_ = false;
+  std::uint64_t left_ = 0;  ///< steps to come
+
+  // What it did.
+  Step direction_ = 0;
+  std::uint64_t history_ = 0;            ///< three bits a turn, latest lowest
+  std::array<std::uint32_t, 4> runs_{};  ///< steps since the last turns
+  std::array<std::uint8_t, 3> bends_{};  ///< the last turns that were some
+  std::uint32_t steps_ = 0;              ///< since the start, modulo 2^32
+  Trail here_{};
+  std::array<Trail, 64> trail_{};  ///< the last positions, by steps_ % 64
+  DssState dss_;
+
+  // The slots asked for, and the prediction in progress or not yet learned.
+  std::array<Slot*, kContexts> next_{};
+  std::array<std::uint16_t, kContexts> checks_{};
+  std::array<std::size_t, 3> next_selectors_{};
+  std::array<Slot*, kContexts> active_{};
+  std::array<std::size_t, 3> selectors_{};
+  std::array<Decision, kDecisions> decisions_{};
+  std::size_t decided_ = 0;
+};
+
+}  // namespace unstep::codec

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "codec/block_coder.h"
+#include "codec/chain_coder.h"
+#include "codec/chain_head_model.h"
+#include "codec/chain_model.h"
+
+namespace unstep::codec {
+
+/// Coder 16, both sides: chains one by one, each its head and then its steps.
+/// Encoder and decoder run this same code; `Side` is what differs:
+///
+///     coder()      an arithmetic encoder or decoder
+///     head(i)      the true head of chain i
+///     step(i, k)   the true step k of chain i
+///     begin(head)  a chain's head is complete
+///     push(step)   so is a step of it
+///     damaged()    the payload cannot be right; give up
+///
+/// The decoder's answers to the questions are never looked at. Here y grows
+/// with Freeman code 2, whatever the canvas says.
+template <class Side>
+class ChainScan {
+ public:
+  ChainScan(Side& side, std::uint64_t count, std::uint64_t steps)
+      : side_(side), count_(count), left_(steps), model_(table_bits(steps)) {}
+
+  Status run(const BlockProgress& progress) {
+    for (std::uint64_t i = 0; i < count_; ++i) {
+      if (progress && i % 64 == 63 && !progress(i)) return cancelled();
+      const bool last = i + 1 == count_;
+      const ChainHead head =
+          heads_.code(side_.coder(), side_.head(i), end_, left_, last);
+      if (side_.damaged() || heads_.outside() || head.steps > left_) {
+        return damaged(i);
+      }
+      left_ -= head.steps;
+      side_.begin(head);
+      model_.begin(head);
+      for (std::uint64_t k = 0; k < head.steps; ++k) {
+        if (!code_step(i, k)) return damaged(i);
+        if (progress && k % 65536 == 65535 && !progress(i)) return cancelled();
+      }
+      end_ = model_.position();
+    }
+    // Of no chains there are no steps.
+    return left_ == 0 ? Status() : damaged(0);
+  }
+
+ private:
+  static int table_bits(std::uint64_t steps) { return chain_table_bits(steps); }
+  static Error cancelled() { return {ErrorCode::cancelled, "cancelled"}; }
+  static Error damaged(std::uint64_t i) {
+    return {ErrorCode::corrupt,
+            "chain payload is damaged at chain " + std::to_string(i + 1)};
+  }
+
+  bool code_step(std::uint64_t i, std::uint64_t k) {
+    Step step = side_.step(i, k);
+    if (side_.damaged() || !model_.code(side_.coder(), step)) return false;
+    const Point at = model_.position();
+    if (!ChainHeadModel::in_range(at.x) || !ChainHeadModel::in_range(at.y)) {
+      return false;
+    }
+    side_.push(step);
+    return true;
+  }
+
+  Side& side_;
+  std::uint64_t count_;
+  std::uint64_t left_;  ///< steps of the chains to come
+  Point end_;           ///< of the chain before
+  ChainHeadModel heads_;
+  ChainModel model_;
+};
+
+}  // namespace unstep::codec
