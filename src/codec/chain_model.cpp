@@ -228,7 +228,7 @@ int ChainModel::probability(Node node) {
   const int x = mixer_.mix(
       {selectors_[0] + node, selectors_[1] + node, selectors_[2] + node},
       decided_);
-  return std::clamp(entropy::squash(x), 1, 65535);
+  return std::clamp(entropy::squash(x), 4, 65532);
 }
 
 void ChainModel::advance(unsigned turn) {
