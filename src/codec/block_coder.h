@@ -55,9 +55,10 @@ Result<EncodedBlock> encode_chains(std::span<const Chain> chains, YAxis axis,
 /// Decodes exactly `count` chains of `steps` steps in all; both were checked
 /// against the limits by the caller. The chains are valid (grid.h). Every
 /// payload byte must be consumed.
-Result<std::vector<Chain>> decode_chains(
-    const CoderName& name, std::span<const std::uint8_t> payload,
-    std::uint64_t count, std::uint64_t steps, YAxis axis,
-    const BlockProgress& progress);
+Result<std::vector<Chain>> decode_chains(const CoderName& name,
+                                         std::span<const std::uint8_t> payload,
+                                         std::uint64_t count,
+                                         std::uint64_t steps, YAxis axis,
+                                         const BlockProgress& progress);
 
 }  // namespace unstep::codec

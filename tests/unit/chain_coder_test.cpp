@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codec/block_coder.h"
+#include "unstep/codec.h"
 #include "unstep/grid.h"
 
 namespace unstep {
@@ -197,6 +198,26 @@ TEST(ChainCoder, RefusesOtherNames) {
     const auto decoded = decode_chains(name, {}, 0, 0, YAxis::up, {});
     ASSERT_FALSE(decoded);
     EXPECT_EQ(decoded.error().code, ErrorCode::unsupported_version);
+  }
+}
+
+TEST(ChainCoder, ADrawingComesBackFromAFile) {
+  for (const YAxis axis : {YAxis::up, YAxis::down}) {
+    Drawing drawing{{300, 200, axis}, random_drawing(106, 40, 100), {}};
+    UstpWriter writer{EncodeOptions{}};
+    const Status added = writer.add_page(drawing, {});
+    ASSERT_TRUE(added) << added.error().message;
+    const auto file = writer.finish();
+    ASSERT_TRUE(file);
+    const auto reader = UstpReader::open(*file, {});
+    ASSERT_TRUE(reader);
+    const auto page = reader->read_page(0);
+    ASSERT_TRUE(page) << page.error().message;
+    EXPECT_TRUE(page->drawing == drawing);
+    std::vector<std::uint8_t> damaged = *file;
+    damaged[damaged.size() / 2] ^= 0x10;
+    const auto other = UstpReader::open(damaged, {});
+    EXPECT_FALSE(other && other->read_page(0)) << "the checksum sees it";
   }
 }
 
