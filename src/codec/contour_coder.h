@@ -9,6 +9,9 @@
 /// Coder 1: contours under mixed models, docs/format.md.
 namespace unstep::codec {
 
+class StartModel;
+class TurnModel;
+
 inline constexpr std::uint8_t kContourRevision = 0;
 
 /// log2 of the model's slots per context, a rule of the size only, so that it
@@ -22,6 +25,13 @@ inline constexpr std::uint8_t kContourRevision = 0;
 Result<std::vector<std::uint8_t>> encode_contours(
     const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
     const BlockProgress& progress);
+
+/// For training a warm start: encodes with the largest tables and shows the
+/// models as they are at the end.
+using ModelVisitor =
+    std::function<void(const TurnModel& turns, const StartModel& starts)>;
+Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
+                                                  const ModelVisitor& visit);
 
 Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,
                        std::int32_t first_row, std::int32_t rows,

@@ -75,4 +75,14 @@ Result<std::vector<std::uint8_t>> encode_contours(
   return side.coder().finish();
 }
 
+Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
+                                                  const ModelVisitor& visit) {
+  EncoderSide side(ink, 0, ink.height());
+  ContourScan<EncoderSide> scan(side, ink.width(), ink.height(), 16);
+  Status status = scan.run({});
+  if (!status) return status.error();
+  visit(scan.turns(), scan.starts());
+  return side.coder().finish();
+}
+
 }  // namespace unstep::codec

@@ -53,6 +53,9 @@ class ContourScan {
     return {};
   }
 
+  [[nodiscard]] const TurnModel& turns() const { return turns_; }
+  [[nodiscard]] const StartModel& starts() const { return starts_; }
+
  private:
   bool scan_word(std::int32_t y, std::int32_t word) {
     const std::uint64_t above = above_[static_cast<std::size_t>(word)];

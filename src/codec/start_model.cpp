@@ -1,17 +1,14 @@
 #include "codec/start_model.h"
 
 #include <algorithm>
+#include <tuple>
+
+#include "codec/warm_start.h"
 
 namespace unstep::codec {
 namespace {
 
-constexpr int kNearBits = 16;
-
-std::array<std::int32_t, 8> initial_weights() {
-  std::array<std::int32_t, 8> weights{};
-  for (std::size_t i = 0; i < 3; ++i) weights[i] = (1 << 24) * 2 / 5;
-  return weights;
-}
+constexpr std::uint16_t kUnknown = 2000;  ///< of 65536: starts are rare
 
 /// Every bit spread to its two neighbours on either side.
 std::uint64_t spread(std::uint64_t left, std::uint64_t bits,
@@ -25,9 +22,18 @@ std::uint64_t spread(std::uint64_t left, std::uint64_t bits,
 StartModel::StartModel(const CrackMap& cracks)
     : cracks_(cracks),
       near_(kContexts << kNearBits),
-      mixer_({64}, initial_weights()) {
-  for (entropy::Counter& counter : open_) counter.p = 2000;
-  for (entropy::Counter& counter : near_) counter.p = 2000;
+      mixer_({64}, warm::kStartWeights) {
+  static_assert(kContexts == warm::kStartContexts);
+  static_assert(std::tuple_size_v<decltype(open_)> == warm::kOpenContexts);
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    open_[i] = {warm::kOpen[i][0], static_cast<std::uint8_t>(warm::kOpen[i][1])};
+  }
+  for (entropy::Counter& counter : near_) counter.p = kUnknown;
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    warm::for_each(warm::kTurnContexts + i, [&](const warm::Record& record) {
+      near_[(i << kNearBits) + record.index] = {record.p[0], record.n[0]};
+    });
+  }
 }
 
 StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,

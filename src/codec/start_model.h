@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "codec/crack_map.h"
@@ -61,8 +62,19 @@ class StartModel {
     return bit;
   }
 
- private:
   static constexpr std::size_t kContexts = 3;
+  static constexpr int kNearBits = 16;  ///< log2 of the counters per context
+
+  /// What was learned, for training a warm start.
+  [[nodiscard]] std::span<const entropy::Counter> open() const { return open_; }
+  [[nodiscard]] std::span<const entropy::Counter> near(
+      std::size_t context) const {
+    return {near_.data() + (context << kNearBits),
+            std::size_t{1} << kNearBits};
+  }
+  [[nodiscard]] const auto& mixer() const { return mixer_; }
+
+ private:
   /// Below this of 65536 the tight context alone is used: 4 flags of 5.
   static constexpr int kRare = 100;
   static constexpr int kRareAge = 16;  ///< observations before it may

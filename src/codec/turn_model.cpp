@@ -4,20 +4,12 @@
 #include <cstdlib>
 
 #include "codec/patch.h"
+#include "codec/warm_start.h"
 
 namespace unstep::codec {
 namespace {
 
 constexpr unsigned kSight = 12;  ///< how far look() sees, in points
-
-std::array<std::int32_t, TurnModel::kInputs> initial_weights() {
-  std::array<std::int32_t, TurnModel::kInputs> weights{};
-  weights.fill(0);
-  for (std::size_t i = 0; i < TurnModel::kContexts; ++i) {
-    weights[i] = weights[i + 16] = (1 << 24) / 10;
-  }
-  return weights;
-}
 
 /// The weight of (p - 1/2) as a second input of each counter: it grows with
 /// the age n, up to 30 observations; the product is at most 32768 * 1530 >> 16.
@@ -51,7 +43,15 @@ TurnModel::TurnModel(const CrackMap& cracks, int table_bits)
       slots_(kContexts << table_bits, Slot{{32768, 32768}, {0, 0}, 0}),
       gates_(std::size_t{1} << kGateBits),
       table_bits_(table_bits),
-      mixer_({64, 1024, 1024}, initial_weights()) {}
+      mixer_({64, 1024, 1024}, warm::kTurnWeights) {
+  static_assert(kContexts == warm::kTurnContexts);
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    warm::for_each(i, [&](const warm::Record& record) {
+      slots_[(i << table_bits_) + (record.index >> (16 - table_bits_))] = {
+          record.p, record.n, record.check};
+    });
+  }
+}
 
 void TurnModel::begin(CrackMap::Address point, bool ink) {
   direction_ = 0;
@@ -118,7 +118,7 @@ void TurnModel::set_context(std::size_t i, std::uint64_t value) {
   Slot* slot = &slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
   __builtin_prefetch(slot, 1);
   next_[i] = slot;
-  checks_[i] = static_cast<std::uint16_t>(hash >> 8);
+  checks_[i] = static_cast<std::uint16_t>(hash >> 8 & 0xfff);
 }
 
 entropy::Counter& TurnModel::find_gate() {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "codec/crack_map.h"
@@ -72,17 +73,26 @@ class TurnModel {
   /// after it.
   void advance(Turn turn);
 
- private:
-  /// The two binary decisions that make a turn.
-  enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
-  enum class Pending : std::uint8_t { none, zero, one };
-
-  /// One context's memory: a counter for each node.
+  /// One context's memory: a counter for each of the two binary decisions
+  /// that make a turn.
   struct Slot {
     std::array<std::uint16_t, 2> p;
     std::array<std::uint8_t, 2> n;
     std::uint16_t check;
   };
+
+  /// What was learned, for training a warm start.
+  [[nodiscard]] std::span<const Slot> slots(std::size_t context) const {
+    return {slots_.data() + (context << table_bits_),
+            std::size_t{1} << table_bits_};
+  }
+  [[nodiscard]] const auto& mixer() const { return mixer_; }
+
+ private:
+  /// The two binary decisions that make a turn.
+  enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
+  enum class Pending : std::uint8_t { none, zero, one };
+
   struct Sight {  ///< the nearest parallel crack on one side
     unsigned distance = 0;
     unsigned shape = 0;

@@ -37,20 +37,35 @@ class ArithmeticDecoder {
     return bit;
   }
 
-  /// Whether every payload byte was read.
-  [[nodiscard]] bool finished() const { return position_ >= bytes_.size(); }
+  /// Whether the payload ends exactly as ArithmeticEncoder::finish() would end
+  /// it after the bits decoded so far: nothing appended, nothing cut off, no
+  /// other tail. Every payload thus has one spelling.
+  [[nodiscard]] bool finished() const {
+    std::size_t end = position_ - 4;  // bytes that have left the interval
+    for (int keep = 0; keep <= 4; ++keep) {
+      const std::uint64_t unit = std::uint64_t{1} << (32 - 8 * keep);
+      const std::uint64_t value = (low_ + unit - 1) / unit * unit;
+      if (value > high_) continue;
+      if (value != value_) return false;
+      end += static_cast<std::size_t>(keep);
+      break;
+    }
+    std::size_t dropped = 0;
+    while (dropped < 8 && end > dropped && byte_at(end - 1 - dropped) == 0) {
+      ++dropped;
+    }
+    return bytes_.size() == end - dropped;
+  }
 
   /// Whether more was read past the end than an encoder can have dropped (8
   /// zero bytes, and 4 that the interval looks ahead): the payload is damaged.
   [[nodiscard]] bool overrun() const { return position_ > bytes_.size() + 12; }
 
  private:
-  std::uint32_t next() {
-    const std::uint32_t byte =
-        position_ < bytes_.size() ? bytes_[position_] : 0U;
-    ++position_;
-    return byte;
+  [[nodiscard]] std::uint32_t byte_at(std::size_t at) const {
+    return at < bytes_.size() ? bytes_[at] : 0U;
   }
+  std::uint32_t next() { return byte_at(position_++); }
 
   std::span<const std::uint8_t> bytes_;
   std::size_t position_ = 0;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "entropy/logistic.h"
@@ -106,16 +107,29 @@ class Mixer {
   using Inputs = std::array<std::int16_t, kInputs>;
 
   /// `selectors[s]`: how many vectors set s chooses from. `initial`: the
-  /// weights every vector starts with, 24 fractional bits.
+  /// weights that vector k starts with are initial[k % initial.size()], with
+  /// 12 fractional bits. REQUIRES: initial is not empty.
   Mixer(const std::array<std::size_t, kSets>& selectors,
-        const std::array<std::int32_t, kInputs>& initial) {
+        std::span<const std::array<std::int16_t, kInputs>> initial) {
     for (std::size_t s = 0; s < kSets; ++s) {
       weights_[s].reserve(selectors[s] * kInputs);
       for (std::size_t k = 0; k < selectors[s]; ++k) {
-        weights_[s].insert(weights_[s].end(), initial.begin(), initial.end());
+        for (const std::int16_t w : initial[k % initial.size()]) {
+          weights_[s].push_back(w * 4096);
+        }
       }
       ages_[s].resize(selectors[s]);
     }
+  }
+
+  /// What was learned, for training a warm start: vector k of set s, 24
+  /// fractional bits, and how many bits it has seen.
+  [[nodiscard]] std::span<const std::int32_t> weights(std::size_t s,
+                                                      std::size_t k) const {
+    return {weights_[s].data() + k * kInputs, kInputs};
+  }
+  [[nodiscard]] std::span<const std::uint16_t> ages(std::size_t s) const {
+    return ages_[s];
   }
 
   /// The inputs of the next prediction, stretches; unused ones stay 0.

@@ -1,0 +1,242 @@
+// Makes src/codec/warm_start_table.cpp from drawings:
+//
+//     train_warm_start OUT.cpp IMAGE...
+//
+// Every image is encoded from the present warm start. What its models know at
+// the end is added up over the images. If the present table has no records,
+// the contexts that most images use and that say most become records; if it
+// has, they are kept and only the mixer weights are learned anew on top of
+// them. train_warm_start.sh runs both passes from an empty table.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "codec/contour_coder.h"
+#include "codec/start_model.h"
+#include "codec/turn_model.h"
+#include "codec/warm_start.h"
+#include "entropy/logistic.h"
+#include "unstep/formats.h"
+
+namespace {
+
+using namespace unstep;
+using codec::StartModel;
+using codec::TurnModel;
+namespace warm = codec::warm;
+
+constexpr std::size_t kMaxRecords = 6900;  // 55,200 characters
+constexpr double kMaxAge = 30;
+constexpr double kEnough = 6;  // observations per image that count in full
+
+/// One context's counters, added up over the images.
+struct Sum {
+  std::array<double, 2> ones{};
+  std::array<double, 2> total{};
+  double score = 0;
+};
+using Key = std::uint32_t;  // index << 12 | check
+using Sums = std::map<Key, Sum>;
+
+double information(double p) {
+  p = std::clamp(p, 1e-4, 1 - 1e-4);
+  return 1 + p * std::log2(p) + (1 - p) * std::log2(1 - p);
+}
+
+void add(Sum& sum, std::size_t node, std::uint16_t p, std::uint8_t n) {
+  if (n == 0) return;
+  const double share = p / 65536.0;
+  sum.ones[node] += share * n;
+  sum.total[node] += n;
+  sum.score += std::min<double>(n, kEnough) * information(share);
+}
+
+struct Trainer {
+  std::array<Sums, warm::kContexts> sums;
+  std::array<std::array<double, 2>, warm::kOpenContexts> open{};
+  std::array<std::array<double, 32>, 2> turn_weights{};
+  std::array<double, 2> turn_votes{};
+  std::array<double, 8> start_weights{};
+  double start_votes = 0;
+
+  void learn(const TurnModel& turns, const StartModel& starts) {
+    for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
+      const auto slots = turns.slots(i);
+      for (std::size_t k = 0; k < slots.size(); ++k) {
+        const auto& slot = slots[k];
+        if (slot.n[0] == 0 && slot.n[1] == 0) continue;
+        Sum& sum = sums[i][static_cast<Key>(k << 12 | slot.check)];
+        for (const std::size_t node : {0U, 1U}) {
+          add(sum, node, slot.p[node], slot.n[node]);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < warm::kStartContexts; ++i) {
+      const auto counters = starts.near(i);
+      for (std::size_t k = 0; k < counters.size(); ++k) {
+        if (counters[k].n == 0) continue;
+        add(sums[warm::kTurnContexts + i][static_cast<Key>(k << 12)], 0,
+            counters[k].p, counters[k].n);
+      }
+    }
+    for (std::size_t i = 0; i < warm::kOpenContexts; ++i) {
+      const auto& counter = starts.open()[i];
+      open[i][0] += counter.p / 65536.0 * counter.n;
+      open[i][1] += counter.n;
+    }
+    for (std::size_t s = 0; s < 3; ++s) {
+      const auto ages = turns.mixer().ages(s);
+      for (std::size_t k = 0; k < ages.size(); ++k) {
+        const double votes = std::sqrt(ages[k]);
+        for (std::size_t i = 0; i < 32; ++i) {
+          turn_weights[k % 2][i] += votes * turns.mixer().weights(s, k)[i];
+        }
+        turn_votes[k % 2] += votes;
+      }
+    }
+    const auto ages = starts.mixer().ages(0);
+    for (std::size_t k = 0; k < ages.size(); ++k) {
+      const double votes = std::sqrt(ages[k]);
+      for (std::size_t i = 0; i < 8; ++i) {
+        start_weights[i] += votes * starts.mixer().weights(0, k)[i];
+      }
+      start_votes += votes;
+    }
+  }
+
+  [[nodiscard]] double least_score() const;
+  void write(std::FILE* out) const;
+};
+
+unsigned level_of(double p) {
+  const double x = std::log(p / (1 - p)) * 256 / 72;
+  return static_cast<unsigned>(std::clamp(std::lround(x) + 32, 0L, 63L));
+}
+
+unsigned age_of(double n) {
+  const double age = std::min(n, kMaxAge);
+  unsigned best = 0;
+  for (unsigned i = 0; i < warm::kAges.size(); ++i) {
+    if (warm::kAges[i] <= age) best = i;
+  }
+  return best;
+}
+
+std::string record(Key key, const Sum& sum) {
+  std::uint64_t bits = std::uint64_t{key} << 20;
+  for (const std::size_t node : {0U, 1U}) {
+    const double n = sum.total[node];
+    const double p = (sum.ones[node] + 0.02) / (n + 0.04);
+    bits |= std::uint64_t{level_of(p)} << (node == 0 ? 14 : 8);
+    bits |= std::uint64_t{age_of(n)} << (node == 0 ? 4 : 0);
+  }
+  std::string text;
+  for (int shift = 42; shift >= 0; shift -= 6) {
+    text += warm::to_char(static_cast<unsigned>(bits >> shift) & 63);
+  }
+  return text;
+}
+
+template <std::size_t kSize>
+void write_weights(std::FILE* out, const std::array<double, kSize>& sums,
+                   double votes) {
+  std::fprintf(out, "    {");
+  for (std::size_t i = 0; i < kSize; ++i) {
+    const double w = votes > 0 ? sums[i] / votes / 4096 : 0;
+    std::fprintf(out, "%s%ld", i == 0 ? "" : i % 10 == 0 ? ",\n     " : ", ",
+                 std::lround(std::clamp(w, -32000.0, 32000.0)));
+  }
+  std::fprintf(out, "},\n");
+}
+
+double Trainer::least_score() const {
+  std::vector<double> scores;
+  for (const Sums& context : sums) {
+    for (const auto& [key, sum] : context) scores.push_back(sum.score);
+  }
+  std::sort(scores.rbegin(), scores.rend());
+  return scores.size() > kMaxRecords ? scores[kMaxRecords] : 0.0;
+}
+
+void Trainer::write(std::FILE* out) const {
+  const bool keep = !warm::kRecords.empty();
+  const double least = keep ? 0 : least_score();
+  std::string records(warm::kRecords);
+  std::fprintf(out,
+               "// Made by tests/bench/train_warm_start.cpp; do not edit.\n"
+               "#include \"codec/warm_start.h\"\n\n"
+               "namespace unstep::codec::warm {\n\n"
+               "const std::array<std::uint16_t, kContexts> kCounts = {{\n   ");
+  for (std::size_t i = 0; i < warm::kContexts; ++i) {
+    unsigned count = warm::kCounts[i];
+    for (const auto& [key, sum] : sums[i]) {
+      if (keep || sum.score <= least) continue;
+      records += record(key, sum);
+      ++count;
+    }
+    std::fprintf(out, " %u,", count);
+  }
+  std::fprintf(out, "\n}};\n\nconst std::string_view kRecords =\n");
+  for (std::size_t i = 0; i < records.size(); i += 72) {
+    std::fprintf(out, "    \"%s\"\n", records.substr(i, 72).c_str());
+  }
+  std::fprintf(out, "    \"\";\n\nconst std::array<std::array<std::int16_t, "
+                    "32>, 2> kTurnWeights = {{\n");
+  for (const std::size_t node : {0U, 1U}) {
+    write_weights(out, turn_weights[node], turn_votes[node]);
+  }
+  std::fprintf(out, "}};\n\nconst std::array<std::array<std::int16_t, 8>, 1> "
+                    "kStartWeights = {{\n");
+  write_weights(out, start_weights, start_votes);
+  std::fprintf(out, "}};\n\nconst std::array<std::array<std::uint16_t, 2>, "
+                    "kOpenContexts> kOpen = {{\n");
+  for (std::size_t i = 0; i < warm::kOpenContexts; ++i) {
+    const double n = open[i][1];
+    const double p = (open[i][0] + 0.02) / (n + 2);
+    const long value = keep ? warm::kOpen[i][0] : std::lround(p * 65536);
+    const long age = keep ? warm::kOpen[i][1] : std::lround(std::min(n, 20.0));
+    std::fprintf(out, "    {%ld, %ld},%s", std::clamp(value, 2L, 60000L), age,
+                 i % 4 == 3 ? "\n" : "");
+  }
+  std::fprintf(out, "}};\n\n}  // namespace unstep::codec::warm\n");
+}
+
+bool learn_file(const char* path, Trainer& trainer) {
+  Result<std::vector<std::uint8_t>> bytes =
+      read_file(path, std::uint64_t{1} << 32);
+  if (!bytes) return false;
+  Result<RasterReader> reader = RasterReader::open(*std::move(bytes), {});
+  if (!reader) return false;
+  Result<RasterPage> page = reader->read(0);
+  if (!page) return false;
+  return static_cast<bool>(codec::encode_and_show(
+      page->ink, [&](const TurnModel& turns, const StartModel& starts) {
+        trainer.learn(turns, starts);
+      }));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: train_warm_start OUT.cpp IMAGE...\n");
+    return 2;
+  }
+  Trainer trainer;
+  for (int i = 2; i < argc; ++i) {
+    if (!learn_file(argv[i], trainer)) {
+      std::fprintf(stderr, "cannot read %s\n", argv[i]);
+      return 3;
+    }
+  }
+  std::FILE* out = std::fopen(argv[1], "w");
+  if (out == nullptr) return 4;
+  trainer.write(out);
+  return std::fclose(out) == 0 ? 0 : 4;
+}
