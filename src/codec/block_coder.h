@@ -47,6 +47,13 @@ Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
                   Bitmap& ink, std::int32_t first_row, std::int32_t rows,
                   const DecodeLimits& limits, const BlockProgress& progress);
 
+/// Whether the payload decodes to exactly those rows of `ink`: internal if
+/// not, or the decoder's own error. Holds no second copy of the rows where the
+/// coder allows.
+Status verify_ink(const CoderName& name, std::span<const std::uint8_t> payload,
+                  const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
+                  const DecodeLimits& limits, const BlockProgress& progress);
+
 /// Encodes chains in their order. invalid_argument for chains that are not
 /// valid (grid.h). `axis` is that of the canvas.
 Result<EncodedBlock> encode_chains(std::span<const Chain> chains, YAxis axis,

@@ -12,13 +12,17 @@ constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;
 /// Stands for the turns before the first step.
 constexpr std::uint64_t kNoHistory = 0x4924924924924924ULL;
 
-std::array<std::int32_t, ChainModel::kInputs> initial_weights() {
-  std::array<std::int32_t, ChainModel::kInputs> weights{};
+/// An eighth for every input, 12 fractional bits.
+constexpr std::array<std::array<std::int16_t, ChainModel::kInputs>, 1>
+make_initial_weights() {
+  std::array<std::int16_t, ChainModel::kInputs> weights{};
   for (std::size_t i = 0; i < ChainModel::kContexts; ++i) {
-    weights[i] = weights[i + 16] = (1 << 24) / 8;
+    weights[i] = weights[i + 16] = 4096 / 8;
   }
-  return weights;
+  return {weights};
 }
+
+constexpr auto kInitialWeights = make_initial_weights();
 
 /// The weight of (p - 1/2) as a second input of each counter: it grows with
 /// the age n, up to 30 observations; the product is at most 32768 * 1530 >> 16.
@@ -50,7 +54,7 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
 ChainModel::ChainModel(int table_bits)
     : table_bits_(table_bits),
       slots_(kContexts << table_bits),
-      mixer_({64, 512, 1024}, initial_weights()),
+      mixer_({64, 512, 1024}, kInitialWeights),
       visits_(table_bits) {
   for (Slot& slot : slots_) slot.p.fill(32768);
 }

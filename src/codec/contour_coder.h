@@ -22,9 +22,19 @@ inline constexpr std::uint8_t kContourRevision = 0;
   return pixels < 40'000 ? 12 : pixels < 1'000'000 ? 14 : 16;
 }
 
+/// Bytes that coding such a block allocates: the cracks and the models.
+[[nodiscard]] std::uint64_t contour_memory(std::int32_t width,
+                                           std::int32_t rows);
+
 Result<std::vector<std::uint8_t>> encode_contours(
     const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
     const BlockProgress& progress);
+
+/// Decodes and compares with those rows of `ink`; internal if they differ.
+Status verify_contours(std::span<const std::uint8_t> payload, const Bitmap& ink,
+                       std::int32_t first_row, std::int32_t rows,
+                       const DecodeLimits& limits,
+                       const BlockProgress& progress);
 
 /// For training a warm start: encodes with the largest tables and shows the
 /// models as they are at the end.

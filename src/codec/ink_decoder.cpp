@@ -1,24 +1,56 @@
+#include <algorithm>
 #include <string>
 
 #include "codec/block_coder.h"
 #include "codec/contour_coder.h"
 #include "codec/stored_coder.h"
+#include "codec/warm_start.h"
 
 namespace unstep::codec {
+
+namespace {
+
+constexpr CoderName kStored{kCoderStored, 0, 0};
+constexpr CoderName kContours{kCoderContours, kContourRevision, warm::kTableId};
+
+Error unknown(const CoderName& name) {
+  return {ErrorCode::unsupported_version,
+          "ink coder " + std::to_string(name.coder) + " revision " +
+              std::to_string(name.revision) + " table " +
+              std::to_string(name.table) + " is unknown"};
+}
+
+}  // namespace
 
 Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
                   Bitmap& ink, std::int32_t first_row, std::int32_t rows,
                   const DecodeLimits& limits, const BlockProgress& progress) {
-  if (name == CoderName{kCoderStored, 0, 0}) {
-    return decode_stored(payload, ink, first_row, rows);
-  }
-  if (name == CoderName{kCoderContours, kContourRevision, 0}) {
+  if (name == kStored) return decode_stored(payload, ink, first_row, rows);
+  if (name == kContours) {
     return decode_contours(payload, ink, first_row, rows, limits, progress);
   }
-  return Error{ErrorCode::unsupported_version,
-               "ink coder " + std::to_string(name.coder) + " revision " +
-                   std::to_string(name.revision) + " table " +
-                   std::to_string(name.table) + " is unknown"};
+  return unknown(name);
+}
+
+Status verify_ink(const CoderName& name, std::span<const std::uint8_t> payload,
+                  const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
+                  const DecodeLimits& limits, const BlockProgress& progress) {
+  if (name == kContours) {
+    return verify_contours(payload, ink, first_row, rows, limits, progress);
+  }
+  Result<Bitmap> decoded = Bitmap::create(ink.width(), rows);
+  if (!decoded) return decoded.error();
+  Status status =
+      decode_ink(name, payload, *decoded, 0, rows, limits, progress);
+  if (!status) return status;
+  for (std::int32_t y = 0; y < rows; ++y) {
+    const auto truth = ink.row(first_row + y);
+    if (!std::equal(truth.begin(), truth.end(), decoded->row(y).begin())) {
+      return Error{ErrorCode::internal,
+                   "row " + std::to_string(y) + " decodes to other pixels"};
+    }
+  }
+  return {};
 }
 
 }  // namespace unstep::codec

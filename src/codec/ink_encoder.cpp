@@ -1,6 +1,7 @@
 #include "codec/block_coder.h"
 #include "codec/contour_coder.h"
 #include "codec/stored_coder.h"
+#include "codec/warm_start.h"
 
 namespace unstep::codec {
 
@@ -22,7 +23,7 @@ Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
       return EncodedBlock{{kCoderStored, 0, 0}, *std::move(stored)};
     }
   }
-  return EncodedBlock{{kCoderContours, kContourRevision, 0},
+  return EncodedBlock{{kCoderContours, kContourRevision, warm::kTableId},
                       *std::move(contours)};
 }
 

@@ -21,17 +21,19 @@ std::uint64_t spread(std::uint64_t left, std::uint64_t bits,
 
 StartModel::StartModel(const CrackMap& cracks)
     : cracks_(cracks),
-      near_(kContexts << kNearBits),
+      near_(near_first(kContexts)),
       mixer_({64}, warm::kStartWeights) {
   static_assert(kContexts == warm::kStartContexts);
   static_assert(std::tuple_size_v<decltype(open_)> == warm::kOpenContexts);
   for (std::size_t i = 0; i < open_.size(); ++i) {
-    open_[i] = {warm::kOpen[i][0], static_cast<std::uint8_t>(warm::kOpen[i][1])};
+    open_[i] = {warm::kOpen[i][0],
+                static_cast<std::uint8_t>(warm::kOpen[i][1])};
   }
   for (entropy::Counter& counter : near_) counter.p = kUnknown;
   for (std::size_t i = 0; i < kContexts; ++i) {
     warm::for_each(warm::kTurnContexts + i, [&](const warm::Record& record) {
-      near_[(i << kNearBits) + record.index] = {record.p[0], record.n[0]};
+      near_[near_first(i) + (record.index >> (16 - near_bits(i)))] = {
+          record.p[0], record.n[0]};
     });
   }
 }
@@ -109,7 +111,7 @@ void StartModel::predict_near(std::int32_t x, std::int32_t y, bool ink) {
       (higher >> 2 & 15) << 23 | std::uint64_t{ink} << 27;
   const auto slot = [&](std::size_t i, std::uint64_t value) {
     const std::uint64_t hash = (value + 1) * 0x9e3779b97f4a7c15ULL;
-    active_[i] = &near_[(i << kNearBits) + (hash >> (64 - kNearBits))];
+    active_[i] = &near_[near_first(i) + (hash >> (64 - near_bits(i)))];
   };
   slot(1, mid);
   slot(2, full);

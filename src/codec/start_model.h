@@ -63,14 +63,22 @@ class StartModel {
   }
 
   static constexpr std::size_t kContexts = 3;
-  static constexpr int kNearBits = 16;  ///< log2 of the counters per context
+
+  /// log2 of a context's counters: the first is indexed by the cracks
+  /// themselves, the others by a hash.
+  static constexpr int near_bits(std::size_t context) {
+    return context == 0 ? 16 : 14;
+  }
+  static constexpr std::size_t near_first(std::size_t context) {
+    return context == 0 ? 0 : (std::size_t{1} << 16) + ((context - 1) << 14);
+  }
 
   /// What was learned, for training a warm start.
   [[nodiscard]] std::span<const entropy::Counter> open() const { return open_; }
   [[nodiscard]] std::span<const entropy::Counter> near(
       std::size_t context) const {
-    return {near_.data() + (context << kNearBits),
-            std::size_t{1} << kNearBits};
+    return {near_.data() + near_first(context),
+            std::size_t{1} << near_bits(context)};
   }
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 

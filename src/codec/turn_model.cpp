@@ -21,6 +21,10 @@ constexpr std::array<std::int16_t, 256> make_trust() {
   return trust;
 }
 
+/// How many fewer bits of slots the contexts with few values get.
+constexpr std::array<int, TurnModel::kContexts> kFewer{3, 1, 0, 0, 0, 0, 0, 0,
+                                                       0, 3, 0, 0, 0, 2, 1};
+
 /// Sign and magnitude of an area, 0..23.
 unsigned quantise_area(std::int64_t area) {
   static constexpr std::array<std::int64_t, 8> kSteps{4,  6,  9,  14,
@@ -38,16 +42,29 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
 
 }  // namespace
 
+std::uint64_t TurnModel::memory(int table_bits) {
+  std::uint64_t bytes = (std::uint64_t{1} << 20);  // gates, match, weights
+  for (const int fewer : kFewer) {
+    bytes += sizeof(Slot) << (table_bits - fewer);
+  }
+  return bytes;
+}
+
 TurnModel::TurnModel(const CrackMap& cracks, int table_bits)
     : cracks_(cracks),
-      slots_(kContexts << table_bits, Slot{{32768, 32768}, {0, 0}, 0}),
       gates_(std::size_t{1} << kGateBits),
-      table_bits_(table_bits),
       mixer_({64, 1024, 1024}, warm::kTurnWeights) {
   static_assert(kContexts == warm::kTurnContexts);
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    bits_[i] = table_bits - kFewer[i];
+    first_[i] = size;
+    size += std::size_t{1} << bits_[i];
+  }
+  slots_.resize(size, Slot{{32768, 32768}, {0, 0}, 0});
   for (std::size_t i = 0; i < kContexts; ++i) {
     warm::for_each(i, [&](const warm::Record& record) {
-      slots_[(i << table_bits_) + (record.index >> (16 - table_bits_))] = {
+      slots_[first_[i] + (record.index >> (kMaxTableBits - bits_[i]))] = {
           record.p, record.n, record.check};
     });
   }
@@ -115,7 +132,7 @@ unsigned TurnModel::shape(CrackMap::Address point) const {
 
 void TurnModel::set_context(std::size_t i, std::uint64_t value) {
   const std::uint64_t hash = (value + i) * 0x9e3779b97f4a7c15ULL;
-  Slot* slot = &slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
+  Slot* slot = &slots_[first_[i] + (hash >> (64 - bits_[i]))];
   __builtin_prefetch(slot, 1);
   next_[i] = slot;
   checks_[i] = static_cast<std::uint16_t>(hash >> 8 & 0xfff);
@@ -207,14 +224,12 @@ void TurnModel::learn() {
     pending_[node] = Pending::none;
     mixer_.update(bit, node);
     Counters& counters = counters_[node];
-    for (std::size_t i = 0; i < counters.p.size(); ++i) {
-      counters.p[i] = entropy::moved(counters.p[i], bit, counters.rate[i]);
-    }
+    entropy::move_all(counters.p, counters.rate, bit);
     for (std::size_t i = 0; i < kContexts; ++i) {
       Slot& slot = *active_[i];
       slot.p[node] = counters.p[i];
       slot.n[node] = static_cast<std::uint8_t>(
-          slot.n[node] + (slot.n[node] < entropy::Counter::kLimit ? 1 : 0));
+          slot.n[node] + (slot.n[node] != entropy::Counter::kLimit ? 1 : 0));
     }
   }
 }
@@ -241,10 +256,7 @@ int TurnModel::probability(Node node) {
     inputs[i] = static_cast<std::int16_t>(entropy::stretch(slot.p[node]));
   }
   inputs[kContexts] = 77;
-  for (std::size_t i = 0; i < trust.size(); ++i) {
-    inputs[i + 16] =
-        static_cast<std::int16_t>(((counters.p[i] - 32768) * trust[i]) >> 16);
-  }
+  entropy::lean_all(counters.p, trust, inputs.data() + 16);
   const int x = mixer_.mix(
       {selectors_[0] + node, selectors_[1] + node, selectors_[2] + node}, node);
   return std::clamp(entropy::squash(x), 1, 65535);

@@ -34,8 +34,14 @@ class TurnModel {
   static constexpr int kGateAge = 24;    ///< observations before it may
   static constexpr int kGateRare = 512;  ///< of 65536
 
-  /// `cracks` must outlive the model; 2^table_bits slots per context.
+  static constexpr int kMaxTableBits = 16;  ///< what warm records index
+
+  /// `cracks` must outlive the model; 2^table_bits slots per context, fewer for
+  /// some. REQUIRES: 8 <= table_bits <= kMaxTableBits.
   TurnModel(const CrackMap& cracks, int table_bits);
+
+  /// Bytes that the constructor allocates, rounded up.
+  static std::uint64_t memory(int table_bits);
 
   /// A contour starts at a point and goes east. `ink`: ink is on the right.
   void begin(CrackMap::Address point, bool ink);
@@ -83,8 +89,7 @@ class TurnModel {
 
   /// What was learned, for training a warm start.
   [[nodiscard]] std::span<const Slot> slots(std::size_t context) const {
-    return {slots_.data() + (context << table_bits_),
-            std::size_t{1} << table_bits_};
+    return {slots_.data() + first_[context], std::size_t{1} << bits_[context]};
   }
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
@@ -113,7 +118,8 @@ class TurnModel {
   std::vector<Slot> slots_;
   std::vector<entropy::Counter> gates_;
   std::uint64_t around_ = 0;
-  int table_bits_;
+  std::array<std::size_t, kContexts> first_{};  ///< each context's slots
+  std::array<int, kContexts> bits_{};
   entropy::Mixer<kInputs, 3, 2> mixer_;
 
   // Where the walk is.

@@ -2,6 +2,8 @@
 //
 //     train_warm_start OUT.cpp IMAGE...
 //
+// Without images it writes the empty table.
+//
 // Every image is encoded from the present warm start. What its models know at
 // the end is added up over the images. If the present table has no records,
 // the contexts that most images use and that say most become records; if it
@@ -64,6 +66,7 @@ struct Trainer {
   std::array<double, 2> turn_votes{};
   std::array<double, 8> start_weights{};
   double start_votes = 0;
+  bool forgotten = false;
 
   void learn(const TurnModel& turns, const StartModel& starts) {
     for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
@@ -71,7 +74,8 @@ struct Trainer {
       for (std::size_t k = 0; k < slots.size(); ++k) {
         const auto& slot = slots[k];
         if (slot.n[0] == 0 && slot.n[1] == 0) continue;
-        Sum& sum = sums[i][static_cast<Key>(k << 12 | slot.check)];
+        const int shift = 16 - std::countr_zero(slots.size());
+        Sum& sum = sums[i][static_cast<Key>(k << shift << 12 | slot.check)];
         for (const std::size_t node : {0U, 1U}) {
           add(sum, node, slot.p[node], slot.n[node]);
         }
@@ -81,8 +85,9 @@ struct Trainer {
       const auto counters = starts.near(i);
       for (std::size_t k = 0; k < counters.size(); ++k) {
         if (counters[k].n == 0) continue;
-        add(sums[warm::kTurnContexts + i][static_cast<Key>(k << 12)], 0,
-            counters[k].p, counters[k].n);
+        const int shift = 16 - StartModel::near_bits(i);
+        add(sums[warm::kTurnContexts + i][static_cast<Key>(k << shift << 12)],
+            0, counters[k].p, counters[k].n);
       }
     }
     for (std::size_t i = 0; i < warm::kOpenContexts; ++i) {
@@ -110,6 +115,7 @@ struct Trainer {
     }
   }
 
+  void forget();
   [[nodiscard]] double least_score() const;
   void write(std::FILE* out) const;
 };
@@ -149,10 +155,25 @@ void write_weights(std::FILE* out, const std::array<double, kSize>& sums,
   std::fprintf(out, "    {");
   for (std::size_t i = 0; i < kSize; ++i) {
     const double w = votes > 0 ? sums[i] / votes / 4096 : 0;
-    std::fprintf(out, "%s%ld", i == 0 ? "" : i % 10 == 0 ? ",\n     " : ", ",
+    std::fprintf(out, "%s%ld",
+                 i == 0        ? ""
+                 : i % 10 == 0 ? ",\n     "
+                               : ", ",
                  std::lround(std::clamp(w, -32000.0, 32000.0)));
   }
   std::fprintf(out, "},\n");
+}
+
+/// The empty table: nothing known, equal weights.
+void Trainer::forget() {
+  forgotten = true;
+  for (auto& counter : open) counter = {0.06, 0};
+  for (auto& weights : turn_weights) {
+    for (std::size_t i = 0; i < 31; ++i) weights[i] = i == 15 ? 0 : 410 * 4096;
+  }
+  turn_votes = {1, 1};
+  for (std::size_t i = 0; i < 3; ++i) start_weights[i] = 1638 * 4096;
+  start_votes = 1;
 }
 
 double Trainer::least_score() const {
@@ -165,16 +186,16 @@ double Trainer::least_score() const {
 }
 
 void Trainer::write(std::FILE* out) const {
-  const bool keep = !warm::kRecords.empty();
+  const bool keep = !warm::kRecords.empty() && !forgotten;
   const double least = keep ? 0 : least_score();
-  std::string records(warm::kRecords);
+  std::string records(keep ? warm::kRecords : "");
   std::fprintf(out,
                "// Made by tests/bench/train_warm_start.cpp; do not edit.\n"
                "#include \"codec/warm_start.h\"\n\n"
                "namespace unstep::codec::warm {\n\n"
                "const std::array<std::uint16_t, kContexts> kCounts = {{\n   ");
   for (std::size_t i = 0; i < warm::kContexts; ++i) {
-    unsigned count = warm::kCounts[i];
+    unsigned count = keep ? warm::kCounts[i] : 0U;
     for (const auto& [key, sum] : sums[i]) {
       if (keep || sum.score <= least) continue;
       records += record(key, sum);
@@ -186,16 +207,19 @@ void Trainer::write(std::FILE* out) const {
   for (std::size_t i = 0; i < records.size(); i += 72) {
     std::fprintf(out, "    \"%s\"\n", records.substr(i, 72).c_str());
   }
-  std::fprintf(out, "    \"\";\n\nconst std::array<std::array<std::int16_t, "
-                    "32>, 2> kTurnWeights = {{\n");
+  std::fprintf(out,
+               "    \"\";\n\nconst std::array<std::array<std::int16_t, "
+               "32>, 2> kTurnWeights = {{\n");
   for (const std::size_t node : {0U, 1U}) {
     write_weights(out, turn_weights[node], turn_votes[node]);
   }
-  std::fprintf(out, "}};\n\nconst std::array<std::array<std::int16_t, 8>, 1> "
-                    "kStartWeights = {{\n");
+  std::fprintf(out,
+               "}};\n\nconst std::array<std::array<std::int16_t, 8>, 1> "
+               "kStartWeights = {{\n");
   write_weights(out, start_weights, start_votes);
-  std::fprintf(out, "}};\n\nconst std::array<std::array<std::uint16_t, 2>, "
-                    "kOpenContexts> kOpen = {{\n");
+  std::fprintf(out,
+               "}};\n\nconst std::array<std::array<std::uint16_t, 2>, "
+               "kOpenContexts> kOpen = {{\n");
   for (std::size_t i = 0; i < warm::kOpenContexts; ++i) {
     const double n = open[i][1];
     const double p = (open[i][0] + 0.02) / (n + 2);
@@ -224,11 +248,12 @@ bool learn_file(const char* path, Trainer& trainer) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    std::fprintf(stderr, "usage: train_warm_start OUT.cpp IMAGE...\n");
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: train_warm_start OUT.cpp [IMAGE...]\n");
     return 2;
   }
   Trainer trainer;
+  if (argc == 2) trainer.forget();
   for (int i = 2; i < argc; ++i) {
     if (!learn_file(argv[i], trainer)) {
       std::fprintf(stderr, "cannot read %s\n", argv[i]);
