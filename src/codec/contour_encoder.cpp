@@ -28,17 +28,10 @@ class EncoderSide {
 
   [[nodiscard]] Turn turn(std::int32_t x, std::int32_t y, Quarter direction,
                           bool ink) const {
-    // The pixels ahead on the left and on the right hand.
-    static constexpr std::array<std::int32_t, 4> kRightX{0, -1, -1, 0};
-    static constexpr std::array<std::int32_t, 4> kRightY{0, 0, -1, -1};
-    static constexpr std::array<std::int32_t, 4> kLeftX{0, 0, -1, -1};
-    static constexpr std::array<std::int32_t, 4> kLeftY{-1, 0, 0, -1};
-    const auto d = static_cast<std::size_t>(direction);
-    const bool right = pixel(x + kRightX[d], y + kRightY[d]) == ink;
-    const bool left = pixel(x + kLeftX[d], y + kLeftY[d]) == ink;
-    if (right) return left ? kLeft : kStraight;
-    if (!left) return kRight;
-    return ink ? kLeft : kRight;  // saddle: ink is 8-connected
+    const auto at = [this](std::int32_t px, std::int32_t py) {
+      return pixel(px, py);
+    };
+    return trace::true_turn(at, x, y, direction, ink);
   }
 
   void row(std::int32_t /*y*/, const std::vector<std::uint64_t>& /*pixels*/) {}

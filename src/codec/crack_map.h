@@ -5,14 +5,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "trace/contour_turn.h"
+
 namespace unstep::codec {
 
-/// A quarter direction in a raster (y down), clockwise as seen: 0 east,
-/// 1 south, 2 west, 3 north.
-using Quarter = int;
-
-inline constexpr std::array<std::int32_t, 4> kQuarterDx{1, 0, -1, 0};
-inline constexpr std::array<std::int32_t, 4> kQuarterDy{0, 1, 0, -1};
+using trace::kQuarterDx;
+using trace::kQuarterDy;
+using trace::Quarter;
 
 /// The cracks that are known so far: two bit planes over the grid points of a
 /// raster of width x height pixels. A set bit of the horizontal plane at point

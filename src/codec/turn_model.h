@@ -14,12 +14,11 @@
 
 namespace unstep::codec {
 
-/// What a contour does at a grid point, relative to the way it came.
-enum Turn : std::uint8_t { kStraight = 0, kLeft = 1, kRight = 2 };
-
-[[nodiscard]] constexpr Quarter turned(Quarter direction, Turn turn) {
-  return (direction + (turn == kLeft ? 3 : turn == kRight ? 1 : 0)) & 3;
-}
+using trace::kLeft;
+using trace::kRight;
+using trace::kStraight;
+using trace::Turn;
+using trace::turned;
 
 /// Predicts the turns of contours walked one by one. Encoder and decoder run
 /// the same object in step; everything is integer.
