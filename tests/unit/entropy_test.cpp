@@ -1,0 +1,261 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "entropy/arithmetic_decoder.h"
+#include "entropy/arithmetic_encoder.h"
+#include "entropy/counter.h"
+#include "entropy/logistic.h"
+#include "entropy/mixer.h"
+
+namespace unstep::entropy {
+namespace {
+
+struct Coded {
+  bool bit;
+  int p1;
+};
+
+std::vector<std::uint8_t> encode(const std::vector<Coded>& bits) {
+  ArithmeticEncoder encoder;
+  for (const auto& [bit, p1] : bits) EXPECT_EQ(encoder.code(bit, p1), bit);
+  return encoder.finish();
+}
+
+void expect_decodes(std::span<const std::uint8_t> bytes,
+                    const std::vector<Coded>& bits) {
+  ArithmeticDecoder decoder(bytes);
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    ASSERT_EQ(decoder.code(false, bits[i].p1), bits[i].bit) << "bit " << i;
+  }
+  EXPECT_TRUE(decoder.finished());
+  EXPECT_FALSE(decoder.overrun());
+}
+
+/// Bits drawn with the probabilities they are coded with, or against them.
+std::vector<Coded> random_bits(unsigned seed, std::size_t count, bool honest) {
+  std::mt19937 random(seed);
+  std::vector<Coded> bits;
+  for (std::size_t i = 0; i < count; ++i) {
+    constexpr std::array<int, 6> kExtremes{1, 65535, 2, 65534, 32768, 32767};
+    const int p1 = random() % 3 == 0 ? kExtremes[random() % 6]
+                                     : static_cast<int>(1 + random() % 65535);
+    const bool drawn = static_cast<int>(random() % 65536) < p1;
+    bits.push_back({honest ? drawn : random() % 2 == 0, p1});
+  }
+  return bits;
+}
+
+TEST(ArithmeticCoder, DecodesWhatItEncoded) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const std::vector<Coded> bits = random_bits(seed, seed * 7, seed % 2 == 0);
+    expect_decodes(encode(bits), bits);
+  }
+}
+
+TEST(ArithmeticCoder, DecodesRunsOfExtremes) {
+  for (const int p1 : {1, 32768, 65535}) {
+    for (const bool bit : {false, true}) {
+      const std::vector<Coded> bits(3000, {bit, p1});
+      expect_decodes(encode(bits), bits);
+    }
+  }
+}
+
+TEST(ArithmeticCoder, NothingIsNoBytes) {
+  EXPECT_TRUE(encode({}).empty());
+  expect_decodes({}, {});
+}
+
+TEST(ArithmeticCoder, WhatIsCertainCostsNothing) {
+  // Ones keep the low end of the interval, where the dropped zeros are.
+  EXPECT_TRUE(encode(std::vector<Coded>(40'000, {true, 65535})).empty());
+  EXPECT_LE(encode(std::vector<Coded>(40'000, {false, 1})).size(), 1U);
+}
+
+TEST(ArithmeticCoder, CostsWhatTheProbabilitiesSay) {
+  std::vector<Coded> bits;
+  std::mt19937 random(2);
+  for (int i = 0; i < 80'000; ++i) bits.push_back({random() % 2 == 0, 32768});
+  EXPECT_NEAR(static_cast<double>(encode(bits).size()), 10'000, 10);
+}
+
+TEST(ArithmeticCoder, DropsNoMoreZeroBytesThanTheDecoderForgives) {
+  // Ones with p = 1/2 halve the interval from above: all bytes are zero.
+  const std::vector<Coded> bits(8 * 100, {true, 32768});
+  const std::vector<std::uint8_t> bytes = encode(bits);
+  EXPECT_GE(bytes.size(), 100U - ArithmeticEncoder::kMaxDropped - 4);
+  expect_decodes(bytes, bits);
+}
+
+TEST(ArithmeticCoder, NoticesThatBytesAreMissing) {
+  const std::vector<Coded> bits = random_bits(3, 5000, true);
+  const std::vector<std::uint8_t> bytes = encode(bits);
+  const std::span<const std::uint8_t> all = bytes;
+  ArithmeticDecoder decoder(all.first(all.size() / 2));
+  for (const Coded& coded : bits) decoder.code(false, coded.p1);
+  EXPECT_TRUE(decoder.overrun());
+  ArithmeticDecoder nothing({});
+  EXPECT_FALSE(nothing.overrun());
+  EXPECT_TRUE(nothing.finished());
+}
+
+TEST(ArithmeticCoder, NoticesBytesLeftOver) {
+  const std::vector<Coded> bits = random_bits(4, 500, true);
+  std::vector<std::uint8_t> bytes = encode(bits);
+  bytes.insert(bytes.end(), 8, 0);
+  ArithmeticDecoder decoder(bytes);
+  for (const Coded& coded : bits) decoder.code(false, coded.p1);
+  EXPECT_FALSE(decoder.finished());
+}
+
+TEST(Logistic, SquashIsMonotoneSymmetricAndClamped) {
+  for (int x = -kStretchMax - 50; x < kStretchMax + 50; ++x) {
+    EXPECT_LE(squash(x), squash(x + 1));
+    EXPECT_GE(squash(x), 1);
+    EXPECT_LE(squash(x), 65535);
+    EXPECT_EQ(squash(-x), 65536 - squash(x));
+  }
+  EXPECT_EQ(squash(1 << 30), squash(kStretchMax));
+  EXPECT_EQ(squash(-(1 << 30)), squash(-kStretchMax));
+}
+
+TEST(Logistic, StretchIsMonotoneAndSymmetric) {
+  for (int p = 0; p < 65535; ++p) {
+    ASSERT_LE(stretch(p), stretch(p + 1));
+    ASSERT_EQ(stretch(65535 - p), -stretch(p));
+  }
+}
+
+TEST(Logistic, StretchInvertsSquashWithinAStepOfItsTable) {
+  // Stretch knows probabilities to 16 of 65536.
+  for (int p = 0; p < 65536; ++p) {
+    const int middle = p / 16 * 16 + 8;
+    ASSERT_NEAR(squash(stretch(p)), middle, 72) << p;
+  }
+}
+
+TEST(Logistic, KeepsItsValues) {
+  const std::vector<std::pair<int, int>> squashed{
+      {0, 32768},    {1, 32832},    {256, 47911},     {512, 57724},
+      {1024, 64357}, {2048, 65514}, {3071, 65536 - 1}};
+  for (const auto& [x, p] : squashed) EXPECT_EQ(squash(x), p) << x;
+  const std::vector<std::pair<int, int>> stretched{
+      {32768, 1}, {49152, 282}, {65535, 2292}, {0, -2292}};
+  for (const auto& [p, x] : stretched) EXPECT_EQ(stretch(p), x) << p;
+}
+
+/// Random numbers with many at the ends of the range.
+template <class T>
+T wild(std::mt19937& random) {
+  switch (random() % 4) {
+    case 0: return std::numeric_limits<T>::max();
+    case 1: return std::numeric_limits<T>::min();
+    default: return static_cast<T>(random());
+  }
+}
+
+TEST(Mixing, FastFormsEqualTheReference) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 2000; ++round) {
+    const std::size_t n = 8 * (1 + random() % 5);
+    alignas(16) std::array<std::int16_t, 40> x{};
+    std::array<std::int32_t, 40> w{};
+    for (std::size_t i = 0; i < n; ++i) {
+      x[i] = wild<std::int16_t>(random);
+      // Both products -32768 * -32768 of a pair would differ from int32 sums.
+      if (x[i] == -32768) x[i] = -32767;
+      w[i] = wild<std::int32_t>(random);
+    }
+    ASSERT_EQ(mixing::dot(x.data(), w.data(), n),
+              mixing::dot_reference(x.data(), w.data(), n));
+    auto reference = w;
+    auto error = wild<std::int16_t>(random);
+    mixing::train(x.data(), w.data(), n, error);
+    mixing::train_reference(x.data(), reference.data(), n, error);
+    ASSERT_EQ(w, reference);
+  }
+}
+
+TEST(Mixer, LearnsWhichInputIsRight) {
+  Mixer<8, 1> mixer({1}, {1 << 22, 1 << 22});
+  std::mt19937 random(6);
+  for (int i = 0; i < 5000; ++i) {
+    const bool bit = random() % 2 == 0;
+    mixer.inputs()[0] = bit ? 300 : -300;
+    mixer.inputs()[1] = random() % 2 == 0 ? 300 : -300;
+    const int x = mixer.mix({0});
+    if (i > 4000) {
+      EXPECT_GT(bit ? squash(x) : 65536 - squash(x), 62000);
+    }
+    mixer.update(bit);
+  }
+}
+
+TEST(Mixer, KeepsItsResults) {
+  Mixer<8, 2> mixer({3, 2}, {1 << 22, 1 << 22, 1 << 21});
+  std::uint32_t state = 1;
+  std::uint32_t digest = 0;
+  const auto next = [&] {
+    state = state * 1664525 + 1013904223;
+    return state >> 16;
+  };
+  for (int i = 0; i < 2000; ++i) {
+    for (std::size_t k = 0; k < 8; ++k) {
+      mixer.inputs()[k] =
+          static_cast<std::int16_t>(static_cast<int>(next() % 4000) - 2000);
+    }
+    const int x = mixer.mix({next() % 3, next() % 2});
+    digest = digest * 31 + static_cast<std::uint32_t>(x);
+    mixer.update(next() % 3 == 0);
+  }
+  EXPECT_EQ(digest, 919997218U);
+}
+
+TEST(Counter, ConvergesToTheShareOfOnes) {
+  for (const unsigned percent : {1U, 10U, 50U, 90U, 99U}) {
+    std::mt19937 random(percent);
+    Counter counter;
+    double sum = 0;
+    for (int i = 0; i < 20'000; ++i) {
+      counter.update(random() % 100 < percent);
+      if (i >= 10'000) sum += counter.p;
+    }
+    EXPECT_NEAR(sum / 10'000 / 65536, percent / 100.0, 0.01);
+  }
+}
+
+TEST(Counter, TreatsBothBitsAlike) {
+  std::mt19937 random(7);
+  Counter counter;
+  Counter mirror;
+  mirror.p = 32767;
+  for (int i = 0; i < 5000; ++i) {
+    ASSERT_EQ(counter.p, 65535 - mirror.p);
+    const bool bit = random() % 5 == 0;
+    counter.update(bit);
+    mirror.update(!bit);
+  }
+}
+
+TEST(Counter, ReachesCertaintyAndStaysCodable) {
+  for (const bool bit : {false, true}) {
+    Counter counter;
+    for (int i = 0; i < 100'000; ++i) counter.update(bit);
+    EXPECT_EQ(counter.p, bit ? 65535 : 0);
+    EXPECT_EQ(counter.n, Counter::kLimit);
+    EXPECT_EQ(counter.p1(), bit ? 65520 : 16);
+    EXPECT_EQ(counter.p1_fine(), bit ? 65534 : 2);
+  }
+}
+
+}  // namespace
+}  // namespace unstep::entropy
