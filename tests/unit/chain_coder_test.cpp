@@ -248,6 +248,9 @@ TEST(ChainCoder, DamagedPayloadsAreRefusedOrSound) {
     std::vector<std::uint8_t> damaged = payload;
     damaged[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
     decodes_soundly(damaged, chains.size(), steps);
+    const auto decoded = decode_chains({codec::kCoderChains, 0, 0}, damaged,
+                                       chains.size(), steps, YAxis::up, {});
+    EXPECT_FALSE(decoded && *decoded == chains) << "bit " << bit;
   }
   std::vector<std::uint8_t> longer = payload;
   longer.insert(longer.end(), 20, 1);

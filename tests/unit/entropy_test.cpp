@@ -117,6 +117,22 @@ TEST(ArithmeticCoder, NoticesBytesLeftOver) {
   EXPECT_FALSE(decoder.finished());
 }
 
+TEST(ArithmeticCoder, KnowsItsOwnEndFromEveryOther) {
+  const std::vector<Coded> bits = random_bits(5, 300, true);
+  const std::vector<std::uint8_t> bytes = encode(bits);
+  for (int value = 0; value < 256; ++value) {
+    std::vector<std::uint8_t> other = bytes;
+    other.back() = static_cast<std::uint8_t>(value);
+    if (other == bytes) continue;
+    ArithmeticDecoder decoder(other);
+    bool same = true;
+    for (const auto& [bit, p1] : bits) {
+      same = decoder.code(false, p1) == bit && same;
+    }
+    EXPECT_FALSE(same && decoder.finished()) << value;
+  }
+}
+
 TEST(Logistic, SquashIsMonotoneSymmetricAndClamped) {
   for (int x = -kStretchMax - 50; x < kStretchMax + 50; ++x) {
     EXPECT_LE(squash(x), squash(x + 1));
@@ -186,7 +202,9 @@ TEST(Mixing, FastFormsEqualTheReference) {
 }
 
 TEST(Mixer, LearnsWhichInputIsRight) {
-  Mixer<8, 1> mixer({1}, {1 << 22, 1 << 22});
+  constexpr std::array<std::array<std::int16_t, 8>, 1> kQuarters{
+      {{1024, 1024}}};
+  Mixer<8, 1> mixer({1}, kQuarters);
   std::mt19937 random(6);
   for (int i = 0; i < 5000; ++i) {
     const bool bit = random() % 2 == 0;
@@ -201,7 +219,9 @@ TEST(Mixer, LearnsWhichInputIsRight) {
 }
 
 TEST(Mixer, KeepsItsResults) {
-  Mixer<8, 2> mixer({3, 2}, {1 << 22, 1 << 22, 1 << 21});
+  constexpr std::array<std::array<std::int16_t, 8>, 1> kWeights{
+      {{1024, 1024, 512}}};
+  Mixer<8, 2> mixer({3, 2}, kWeights);
   std::uint32_t state = 1;
   std::uint32_t digest = 0;
   const auto next = [&] {
@@ -218,6 +238,39 @@ TEST(Mixer, KeepsItsResults) {
     mixer.update(next() % 3 == 0);
   }
   EXPECT_EQ(digest, 919997218U);
+}
+
+TEST(Mixer, GivesVectorsTheirOwnWeights) {
+  constexpr std::array<std::array<std::int16_t, 8>, 2> kWeights{
+      {{4096}, {-4096}}};
+  Mixer<8, 1> mixer({3}, kWeights);
+  mixer.inputs()[0] = 500;
+  EXPECT_EQ(mixer.mix({0}), 500);
+  EXPECT_EQ(mixer.mix({1}), -500);
+  EXPECT_EQ(mixer.mix({2}), 500);
+}
+
+TEST(Counter, MovesSixteenAtOnceAsOneByOne) {
+  std::mt19937 random(8);
+  for (int round = 0; round < 5000; ++round) {
+    std::array<std::uint16_t, 16> p{};
+    std::array<std::uint16_t, 16> rate{};
+    std::array<std::int16_t, 16> trust{};
+    std::array<std::int16_t, 16> leaning{};
+    for (std::size_t i = 0; i < 16; ++i) {
+      p[i] = wild<std::uint16_t>(random);
+      rate[i] = detail::kRates[random() % 256];
+      trust[i] = static_cast<std::int16_t>(random() % 32768);
+    }
+    lean_all(p, trust, leaning.data());
+    std::array<std::uint16_t, 16> all = p;
+    const bool bit = random() % 2 == 0;
+    move_all(all, rate, bit);
+    for (std::size_t i = 0; i < 16; ++i) {
+      ASSERT_EQ(all[i], moved(p[i], bit, rate[i]));
+      ASSERT_EQ(leaning[i], ((p[i] - 32768) * trust[i]) >> 16);
+    }
+  }
 }
 
 TEST(Counter, ConvergesToTheShareOfOnes) {
