@@ -67,6 +67,7 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
       return Error{page.error().code,
                    on_page(index, count, page.error().message)};
     }
+    if (index + 1 == count) source.release();  // room for the coder
     page_pixels = page->page.ink.pixels();
     if (const Status added = add_page(writer, page->page); !added) {
       return Error{added.error().code,

@@ -43,6 +43,10 @@ class Source {
   /// Page `index`, below page_count(). A Freeman page can be read once.
   Result<SourcePage> read(std::size_t index);
 
+  /// Gives back the memory of a raster file after its last page was read; no
+  /// page can be read afterwards.
+  void release() { raster_.reset(); }
+
  private:
   Source() = default;
   static Result<Source> open_raster(std::vector<std::uint8_t> file,

@@ -15,11 +15,14 @@ class TurnModel;
 inline constexpr std::uint8_t kContourRevision = 0;
 
 /// log2 of the model's slots per context, a rule of the size only, so that it
-/// need not be stored: larger pages have more contexts to remember.
+/// need not be stored. Larger pages have more contexts to remember; beyond
+/// 24 Mpx the cracks need the memory more (a 35 Mpx page stays under 25 MB).
 [[nodiscard]] constexpr int contour_table_bits(std::int32_t width,
                                                std::int32_t rows) {
   const std::int64_t pixels = std::int64_t{width} * rows;
-  return pixels < 40'000 ? 12 : pixels < 1'000'000 ? 14 : 16;
+  if (pixels < 40'000) return 12;
+  if (pixels < 2'000'000) return 14;
+  return pixels <= 24'000'000 ? 16 : 15;
 }
 
 /// Bytes that coding such a block allocates: the cracks and the models.
