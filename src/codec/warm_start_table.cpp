@@ -1,4 +1,5 @@
-// Made by tests/bench/train_warm_start.cpp; do not edit.
+// Made by tests/bench/train_warm_start.sh; do not edit.
+// clang-format off
 #include "codec/warm_start.h"
 
 namespace unstep::codec::warm {

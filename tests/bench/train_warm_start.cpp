@@ -167,7 +167,7 @@ void write_weights(std::FILE* out, const std::array<double, kSize>& sums,
 /// The empty table: nothing known, equal weights.
 void Trainer::forget() {
   forgotten = true;
-  for (auto& counter : open) counter = {0.06, 0};
+  for (auto& counter : open) counter = {0.041035, 0};  // 2000 / 65536
   for (auto& weights : turn_weights) {
     for (std::size_t i = 0; i < 31; ++i) weights[i] = i == 15 ? 0 : 410 * 4096;
   }
@@ -190,7 +190,8 @@ void Trainer::write(std::FILE* out) const {
   const double least = keep ? 0 : least_score();
   std::string records(keep ? warm::kRecords : "");
   std::fprintf(out,
-               "// Made by tests/bench/train_warm_start.cpp; do not edit.\n"
+               "// Made by tests/bench/train_warm_start.sh; do not edit.\n"
+               "// clang-format off\n"
                "#include \"codec/warm_start.h\"\n\n"
                "namespace unstep::codec::warm {\n\n"
                "const std::array<std::uint16_t, kContexts> kCounts = {{\n   ");
