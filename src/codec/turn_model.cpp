@@ -186,7 +186,9 @@ void TurnModel::look_around() {
   };
   const Sight right = look(1);
   const Sight left = look(3);
-  const std::uint64_t bends = turns_[0] | turns_[1] << 2 | turns_[2] << 4;
+  const std::uint64_t bends = std::uint64_t{turns_[0]} |
+                              std::uint64_t{turns_[1]} << 2 |
+                              std::uint64_t{turns_[2]} << 4;
 
   const std::uint64_t verdict = dss_.verdict(direction_);
   const unsigned level = match_.confidence();
