@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""A second decoder of coder 1, written from docs/format.md alone.
+
+    decode_contours.py [--trace] IN.ustp OUT.pbm
+
+Reads short forms of one ink page. Plain and slow, for small drawings: it shows
+that the page is enough to write a decoder from. --trace prints every decision.
+The docstrings name the page's sections.
+"""
+import pathlib
+import sys
+import zlib
+
+from entropy import Damaged, Interval
+from starts import StartModel
+from table import Table
+from turns import DX, DY, TurnModel
+
+
+class Cracks:
+    """Points, cracks, directions: (x, y, 0) is H, (x, y, 1) is V."""
+
+    def __init__(self):
+        self.known = set()
+        self.near = set()  # the points that known cracks make near
+
+    def mark(self, x, y, direction):
+        x, y, plane = self.leaving(x, y, direction)
+        self.known.add((x, y, plane))
+        self.near.update((i, j) for i in range(x - 2, x + 3)
+                         for j in range(y - 1, y + 2 + plane))
+
+    @staticmethod
+    def leaving(x, y, direction):
+        return ((x, y, 0), (x, y, 1), (x - 1, y, 0), (x, y - 1, 1))[direction]
+
+    def test(self, x, y, direction):
+        return int(self.leaving(x, y, direction) in self.known)
+
+    def H(self, x, y):
+        return int((x, y, 0) in self.known)
+
+    def V(self, x, y):
+        return int((x, y, 1) in self.known)
+
+
+class Scan:
+    """Scan and Walk."""
+
+    def __init__(self, payload, width, rows, trace):
+        self.width, self.rows = width, rows
+        self.coder = Interval(payload, trace)
+        self.cracks = Cracks()
+        size = width * rows
+        table = Table()
+        table_bits = (12 if size < 40000 else 14 if size < 2000000 else
+                      16 if size <= 24000000 else 15)
+        self.turns = TurnModel(self.cracks, table_bits, table)
+        self.starts = StartModel(self.cracks, table)
+        self.above = [0] * width
+
+    def run(self):
+        image = []
+        for y in range(self.rows):
+            self.starts.begin_row()
+            for first in range(0, self.width, 64):
+                self.word(y, range(first, min(first + 64, self.width)))
+            ink, row = 0, []
+            for x in range(self.width):
+                ink ^= self.cracks.V(x, y)
+                row.append(ink)
+            image.append(row)
+            self.above = row
+        self.coder.check_end()
+        return image
+
+    def candidates(self, y, points, excluded):
+        """Near ones, far ones on paper, far ones on ink."""
+        H, V = self.cracks.H, self.cracks.V
+        near, far = [], ([], [])
+        for x in points:
+            if (x in excluded or H(x, y) or V(x, y)
+                    or V(x, y - 1) != H(x - 1, y)):
+                continue
+            if (x, y) in self.cracks.near:
+                near.append(x)
+            else:
+                far[self.above[x]].append(x)
+        return near, far
+
+    def word(self, y, points):
+        excluded = set()
+        for colour in (0, 1):
+            while mask := self.candidates(y, points, excluded)[1][colour]:
+                if not self.starts.far_start(self.coder, mask, colour):
+                    excluded.update(mask)
+                    break
+                self.walk(self.starts.far_index(self.coder, mask), y,
+                          1 - colour)
+        near = self.candidates(y, points, excluded)[0]
+        while near:
+            x = near.pop(0)
+            excluded.add(x)
+            if self.starts.near_start(self.coder, x, y, self.above[x]):
+                self.walk(x, y, 1 - self.above[x])
+                near = self.candidates(y, points, excluded)[0]
+
+    def walk(self, x, y, ink):
+        x0, y0, direction = x, y, 0
+        self.turns.begin(x, y, ink)
+        while True:
+            self.cracks.mark(x, y, direction)
+            x, y = x + DX[direction], y + DY[direction]
+            if (x, y) == (x0, y0):
+                return
+            allowed = []
+            for t in (0, 1, 2):
+                way = (direction + (0, 3, 1)[t]) % 4
+                inside = (x < self.width, y < self.rows, x > 0 and y > y0,
+                          y > y0)[way]
+                if inside and not self.cracks.test(x, y, way):
+                    allowed.append(t)
+            if not allowed:
+                raise Damaged("dead end")
+            t = allowed[0]
+            if len(allowed) > 1:
+                t = self.turns.turn(self.coder, x, y, allowed)
+            self.turns.advance(t)
+            direction = self.turns.direction
+
+
+def varint(data, at):
+    value = shift = 0
+    while True:
+        value |= (data[at] & 127) << shift
+        at, shift = at + 1, shift + 7
+        if data[at - 1] < 128:
+            return value, at
+
+
+def decode(data, trace=False):
+    """Start of every file, Short form. Returns width, height, rows of PBM."""
+    if data[:4] != b"\xf5\x55\x0d\x0a" or data[4] & 0xDF:
+        raise Damaged("not a short form with ink")
+    width, at = varint(data, 5)
+    height, at = varint(data, at)
+    if data[4] & 0x20:
+        unit = data[at]
+        at += 1
+        for _ in range(2 if unit & 4 else 4):
+            _, at = varint(data, at)
+    if data[at] != 0x81:
+        raise Damaged("another coder than 1, revision 0, table 1")
+    head, stored, payload = data[4:at + 1], data[at + 1:at + 5], data[at + 5:]
+    pbm = b""
+    for row in Scan(payload, width, height, trace).run():
+        digits = "".join(map(str, row)) + "0" * (-width % 8)
+        pbm += int(digits, 2).to_bytes(len(digits) // 8, "big")
+    if zlib.crc32(head + pbm) != int.from_bytes(stored, "little"):
+        raise Damaged("checksum")
+    return width, height, pbm
+
+
+def main():
+    words = [a for a in sys.argv[1:] if a != "--trace"]
+    if len(words) != 2:
+        sys.exit("usage: decode_contours.py [--trace] IN.ustp OUT.pbm")
+    try:
+        width, height, pbm = decode(pathlib.Path(words[0]).read_bytes(),
+                                    "--trace" in sys.argv)
+    except (Damaged, IndexError) as error:
+        sys.exit(f"{words[0]}: {error}")
+    pathlib.Path(words[1]).write_bytes(
+        b"P4\n%d %d\n" % (width, height) + pbm)
+
+
+if __name__ == "__main__":
+    main()

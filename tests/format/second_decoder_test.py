@@ -1,0 +1,112 @@
+"""docs/format.md is enough to write a decoder of coder 1 from: the one here
+agrees with the program, and the example of the page is what both do."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DECODER = pathlib.Path(__file__).parent / "decode_contours.py"
+PROGRAM = os.environ["UNSTEP_PROGRAM"]
+
+
+def pbm(rows):
+    width = len(rows[0])
+    data = b""
+    for row in rows:
+        digits = row.replace("#", "1").replace(".", "0") + "0" * (-width % 8)
+        data += int(digits, 2).to_bytes(len(digits) // 8, "big")
+    return b"P4\n%d %d\n" % (width, len(rows)) + data
+
+
+def scattered(width, height):
+    """Blots by a rule: saddles, holes, dots at all edges and word ends."""
+    def ink(x, y):
+        mixed = (x // 3 * 2654435761 ^ y // 4 * 40503 ^ (x // 7) * y) >> 5
+        return mixed % 11 < 2 or (x * y) % 59 == 1
+    return pbm(["".join("#" if ink(x, y) else "." for x in range(width))
+                for y in range(height)])
+
+
+class SecondDecoder(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def compress(self, source, *options):
+        subprocess.run([PROGRAM, "compress", "-qf", source, "-o",
+                        self.path("a.ustp"), *options], check=True)
+        return pathlib.Path(self.path("a.ustp")).read_bytes()
+
+    def decode(self, *options):
+        return subprocess.run(
+            [sys.executable, "-B", str(DECODER), *options,
+             self.path("a.ustp"), self.path("second.pbm")],
+            capture_output=True, text=True, check=False)
+
+    def check_agrees(self, source, *options):
+        self.compress(source, *options)
+        subprocess.run([PROGRAM, "decompress", "-qf", self.path("a.ustp"),
+                        "-o", self.path("first.pbm")], check=True)
+        second = self.decode()
+        self.assertEqual(second.stderr, "")
+        self.assertEqual(pathlib.Path(self.path("second.pbm")).read_bytes(),
+                         pathlib.Path(self.path("first.pbm")).read_bytes())
+
+    def check_agrees_on_pixels(self, data):
+        pathlib.Path(self.path("a.pbm")).write_bytes(data)
+        self.check_agrees(self.path("a.pbm"))
+
+    def test_pen_stroke(self):
+        self.check_agrees(str(ROOT / "samples/glyph.pbm"))
+
+    def test_icon(self):
+        self.check_agrees(str(ROOT / "samples/crown.png"))
+
+    def test_blots_across_word_ends(self):
+        self.check_agrees_on_pixels(scattered(130, 37))
+
+    def test_smallest_sides(self):
+        self.check_agrees_on_pixels(pbm(["#"]))
+        self.check_agrees_on_pixels(pbm(["." * 60 + "#####" + "." * 90]))
+
+    def test_the_example_of_the_page_is_what_happens(self):
+        text = (ROOT / "docs/format.md").read_text("utf-8")
+        example = text.split("<!-- contour example begins -->")[1].split(
+            "<!-- contour example ends -->")[0]
+        stored = bytes.fromhex("".join(
+            re.findall(r"^ +\d+  ((?:[0-9a-f]{2} )+) ", example, re.M)))
+        rows = ["." * 8] * 3 + ["...#...."] + ["." * 8] * 4
+        pathlib.Path(self.path("a.pbm")).write_bytes(pbm(rows))
+        self.assertEqual(self.compress(self.path("a.pbm")), stored)
+        second = self.decode("--trace")
+        self.assertEqual(second.stderr, "")
+        self.assertEqual(pathlib.Path(self.path("second.pbm")).read_bytes(),
+                         pbm(rows))
+        decision = r"^ *([a-z, ]+?) +(\d+) +([01]) +([0-9a-f]{8}) ([0-9a-f]{8})"
+        told = re.findall(decision, example, re.M)
+        self.assertGreater(len(told), 20)
+        self.assertEqual(told, re.findall(decision, second.stdout, re.M))
+
+    def test_a_payload_has_one_spelling(self):
+        file = self.compress(str(ROOT / "samples/glyph.pbm"))
+        for damaged in (file[:-1], file + b"\0", file + b"\1",
+                        file[:-1] + bytes([file[-1] ^ 1]),
+                        file[:-1] + bytes([file[-1] ^ 0x80])):
+            pathlib.Path(self.path("a.ustp")).write_bytes(damaged)
+            self.assertNotEqual(self.decode().returncode, 0)
+            verified = subprocess.run(
+                [PROGRAM, "verify", self.path("a.ustp")],
+                capture_output=True, check=False)
+            self.assertNotEqual(verified.returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
