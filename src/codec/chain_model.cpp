@@ -4,10 +4,10 @@
 #include <bit>
 #include <cstdlib>
 
+#include "codec/context.h"
+
 namespace unstep::codec {
 namespace {
-
-constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;
 
 /// Stands for the turns before the first step.
 constexpr std::uint64_t kNoHistory = 0x4924924924924924ULL;
@@ -23,31 +23,6 @@ make_initial_weights() {
 }
 
 constexpr auto kInitialWeights = make_initial_weights();
-
-/// The weight of (p - 1/2) as a second input of each counter: it grows with
-/// the age n, up to 30 observations; the product is at most 32768 * 1530 >> 16.
-constexpr std::array<std::int16_t, 256> make_trust() {
-  std::array<std::int16_t, 256> trust{};
-  for (std::size_t n = 0; n < trust.size(); ++n) {
-    trust[n] = static_cast<std::int16_t>(51 * std::min<std::size_t>(n, 30));
-  }
-  return trust;
-}
-
-/// Sign and magnitude of an area, 0..23.
-unsigned quantise_area(std::int64_t area) {
-  static constexpr std::array<std::int64_t, 8> kSteps{4,  6,  9,  14,
-                                                      20, 30, 45, 70};
-  const std::int64_t size = std::abs(area);
-  unsigned level = size < 4 ? static_cast<unsigned>(size) : 3U;
-  for (const std::int64_t step : kSteps) level += size >= step ? 1U : 0U;
-  return area < 0 ? 12 + level : level;
-}
-
-std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
-  return a * kGolden ^ (b * 0xc2b2ae3d27d4eb4fULL + 0x165667b19e3779f9ULL) ^
-         (a >> 29);
-}
 
 }  // namespace
 
@@ -219,7 +194,6 @@ void ChainModel::recall() {
 }
 
 int ChainModel::probability(Node node) {
-  static constexpr auto kTrust = make_trust();
   decisions_[decided_].node = node;
   auto& inputs = mixer_.inputs(decided_);
   for (std::size_t i = 0; i < kContexts; ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "codec/context.h"
 #include "codec/patch.h"
 #include "codec/warm_start.h"
 
@@ -11,34 +12,9 @@ namespace {
 
 constexpr unsigned kSight = 12;  ///< how far look() sees, in points
 
-/// The weight of (p - 1/2) as a second input of each counter: it grows with
-/// the age n, up to 30 observations; the product is at most 32768 * 1530 >> 16.
-constexpr std::array<std::int16_t, 256> make_trust() {
-  std::array<std::int16_t, 256> trust{};
-  for (std::size_t n = 0; n < trust.size(); ++n) {
-    trust[n] = static_cast<std::int16_t>(51 * std::min<std::size_t>(n, 30));
-  }
-  return trust;
-}
-
 /// How many fewer bits of slots the contexts with few values get.
 constexpr std::array<int, TurnModel::kContexts> kFewer{3, 1, 0, 0, 0, 0, 0, 0,
                                                        0, 3, 0, 0, 0, 2, 1};
-
-/// Sign and magnitude of an area, 0..23.
-unsigned quantise_area(std::int64_t area) {
-  static constexpr std::array<std::int64_t, 8> kSteps{4,  6,  9,  14,
-                                                      20, 30, 45, 70};
-  const std::int64_t size = std::abs(area);
-  unsigned level = size < 4 ? static_cast<unsigned>(size) : 3U;
-  for (const std::int64_t step : kSteps) level += size >= step ? 1U : 0U;
-  return area < 0 ? 12 + level : level;
-}
-
-std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
-  return a * 0x9e3779b97f4a7c15ULL ^
-         (b * 0xc2b2ae3d27d4eb4fULL + 0x165667b19e3779f9ULL) ^ (a >> 29);
-}
 
 }  // namespace
 
@@ -131,7 +107,7 @@ unsigned TurnModel::shape(CrackMap::Address point) const {
 }
 
 void TurnModel::set_context(std::size_t i, std::uint64_t value) {
-  const std::uint64_t hash = (value + i) * 0x9e3779b97f4a7c15ULL;
+  const std::uint64_t hash = (value + i) * kGolden;
   Slot* slot = &slots_[first_[i] + (hash >> (64 - bits_[i]))];
   __builtin_prefetch(slot, 1);
   next_[i] = slot;
@@ -141,8 +117,7 @@ void TurnModel::set_context(std::size_t i, std::uint64_t value) {
 entropy::Counter& TurnModel::find_gate() {
   around_ = patch::at(cracks_, point_, direction_);
   const std::uint64_t recent = history_ & 0xffffff;  // 12 turns
-  const std::uint64_t hash =
-      mix(around_ & patch::kNear, recent) * 0x9e3779b97f4a7c15ULL;
+  const std::uint64_t hash = mix(around_ & patch::kNear, recent) * kGolden;
   return gates_[hash >> (64 - kGateBits)];
 }
 
@@ -246,7 +221,6 @@ void TurnModel::recall() {
 }
 
 int TurnModel::probability(Node node) {
-  static constexpr auto kTrust = make_trust();
   Counters& counters = counters_[node];
   auto& inputs = mixer_.inputs(node);
   alignas(16) std::array<std::int16_t, 16> trust{};
