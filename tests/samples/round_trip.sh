@@ -7,7 +7,8 @@ unstep=$1 samples=$2 work=$3
 rm -rf "$work"
 mkdir -p "$work"
 count=0
-for file in "$samples"/*.tif "$samples"/*.png "$samples"/*.pbm; do
+for file in "$samples"/*.tif "$samples"/*.png "$samples"/*.pbm "$samples"/*.fc
+do
   name=$(basename "$file")
   mkdir "$work/$name"
   packed=$work/$name/drawing.ustp
@@ -23,7 +24,7 @@ for file in "$samples"/*.tif "$samples"/*.png "$samples"/*.pbm; do
   "$unstep" verify "$back" "$packed"
   count=$((count + 1))
 done
-if [ $count -lt 8 ]; then
+if [ $count -lt 9 ]; then
   echo "only $count samples" >&2
   exit 1
 fi

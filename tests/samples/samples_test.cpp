@@ -82,6 +82,33 @@ TEST_P(RasterSample, ComesBackWithPixelsAndDescription) {
 INSTANTIATE_TEST_SUITE_P(Samples, RasterSample,
                          testing::ValuesIn(samples(false)), test_name);
 
+class ChainSample : public testing::TestWithParam<std::string> {};
+
+TEST_P(ChainSample, ComesBackStepForStep) {
+  const std::vector<std::uint8_t> source = bytes_of(GetParam());
+  const auto drawing =
+      parse_freeman(std::string(source.begin(), source.end()), {});
+  ASSERT_TRUE(drawing) << drawing.error().message;
+  ASSERT_FALSE(drawing->chains.empty());
+
+  UstpWriter writer({});
+  const Status added = writer.add_page(*drawing, {});
+  ASSERT_TRUE(added) << added.error().message;
+  const auto packed = writer.finish();
+  ASSERT_TRUE(packed) << packed.error().message;
+  EXPECT_LT(packed->size(), source.size());
+
+  const auto reader = UstpReader::open(*packed, {});
+  ASSERT_TRUE(reader) << reader.error().message;
+  const auto page = reader->read_page(0);
+  ASSERT_TRUE(page) << page.error().message;
+  EXPECT_EQ(page->kind, PageKind::chains);
+  EXPECT_EQ(page->drawing, *drawing);
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, ChainSample, testing::ValuesIn(samples(true)),
+                         test_name);
+
 TEST(Samples, AreOfManyKinds) {
   EXPECT_THAT(samples(false),
               testing::IsSupersetOf({"text-page.tif", "score-2pages.tif",
