@@ -72,8 +72,9 @@ pixels() {
     awk '{ sum += $1 * $2 } END { print sum }'
 }
 
-# Freeman text without comments and with single blanks, for comparison.
-bare_text() { sed 's/#.*//' "$1" | tr -s ' \t\n' ' '; }
+# Freeman text without comments and blanks, for comparison: a writer may break
+# lines elsewhere.
+bare_text() { sed 's/#.*//' "$1" | tr -d ' \t\n'; }
 
 differing=0
 row='%-24s %10s %10s %12s %7s  %s\n'
