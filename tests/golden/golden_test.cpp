@@ -12,6 +12,7 @@
 #include "corrupt/file_surgery.h"
 #include "golden/golden_text.h"
 #include "unit/container_testing.h"
+#include "unstep/formats.h"
 
 namespace unstep {
 namespace {
@@ -53,15 +54,40 @@ TEST(Golden, ValidFilesDecodeToWhatTheyAlwaysDid) {
     EXPECT_EQ(testing::text_of(reader->info()),
               read_text(path.replace_extension(".txt")));
     Bytes pbm;
+    std::vector<Drawing> drawings;
     for (std::size_t i = 0; i < reader->info().pages.size(); ++i) {
       const Result<Page> page = reader->read_page(i);
       ASSERT_TRUE(page) << page.error().message;
-      if (page->kind != PageKind::ink) continue;
+      if (page->kind == PageKind::chains) {
+        drawings.push_back(page->drawing);
+        continue;
+      }
       const Bytes one = testing::pbm_of(page->ink);
       pbm.insert(pbm.end(), one.begin(), one.end());
     }
-    if (pbm.empty()) continue;  // the page's checksum vouches for chains
-    EXPECT_EQ(pbm, read(path.replace_extension(".pbm")));
+    if (!pbm.empty()) {
+      EXPECT_EQ(pbm, read(path.replace_extension(".pbm")));
+    }
+    for (const Drawing& drawing : drawings) {
+      const Result<Drawing> text =
+          parse_freeman(read_text(path.replace_extension(".fc")), {});
+      ASSERT_TRUE(text) << text.error().message;
+      EXPECT_EQ(drawing, *text);
+    }
+  }
+}
+
+/// So that no coder goes unpinned: every coder's name stands in a header text.
+TEST(Golden, EveryCoderHasFiles) {
+  std::string texts;
+  for (fs::path path : golden_files("valid")) {
+    texts += read_text(path.replace_extension(".txt"));
+  }
+  for (const int coder :
+       {codec::kCoderStored, codec::kCoderContours, codec::kCoderChains}) {
+    EXPECT_NE(texts.find("  coder " + std::to_string(coder) + "."),
+              std::string::npos)
+        << coder;
   }
 }
 

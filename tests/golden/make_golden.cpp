@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "unit/container_testing.h"
 
 /// make_golden FOLDER: the golden files of coder 0 and of the container.
+/// make_golden --describe FILE.ustp: the text of a file's header.
 namespace unstep::testing {
 namespace {
 
@@ -152,12 +154,27 @@ void write_all_failing(const fs::path& folder) {
   write_failing(folder, "corrupt-overlapping_bands", join(overlap));
 }
 
+int describe(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  const Bytes file{std::istreambuf_iterator<char>(in), {}};
+  const Result<UstpReader> reader = open(file);
+  if (!reader) {
+    std::fprintf(stderr, "%s\n", reader.error().message.c_str());
+    return 1;
+  }
+  std::fputs(text_of(reader->info()).c_str(), stdout);
+  return 0;
+}
+
 }  // namespace
 }  // namespace unstep::testing
 
 int main(int argc, char** argv) {
+  if (argc == 3 && std::string(argv[1]) == "--describe") {
+    return unstep::testing::describe(argv[2]);
+  }
   if (argc != 2) {
-    std::fprintf(stderr, "usage: make_golden FOLDER\n");
+    std::fprintf(stderr, "usage: make_golden FOLDER | --describe FILE.ustp\n");
     return 2;
   }
   const std::filesystem::path folder = argv[1];
