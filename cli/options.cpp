@@ -214,6 +214,13 @@ void add_inputs(CLI::App& verb, std::vector<std::string>& paths,
   verb.add_option("IN", paths, help)->required()->type_name("");
 }
 
+void add_number(CLI::App& verb, const char* name, std::int32_t& number,
+                std::int32_t least, std::int32_t most, const char* help) {
+  add_count(verb, name, number, static_cast<std::uint64_t>(least),
+            static_cast<std::uint64_t>(most), help)
+      ->type_name("N");
+}
+
 void finish_verb(CLI::App& verb, const char* examples) {
   for (CLI::Option* option : verb.get_options()) {
     option->description(wrapped(option->get_description(), kHelpWidth));

@@ -66,6 +66,10 @@ void add_input(CLI::App& verb, std::string& path, const char* help);
 void add_inputs(CLI::App& verb, std::vector<std::string>& paths,
                 const char* help);
 
+/// A whole number (quantity.h) within a range.
+void add_number(CLI::App& verb, const char* name, std::int32_t& number,
+                std::int32_t least, std::int32_t most, const char* help);
+
 /// The last call for a verb: wraps the help of its options and puts the
 /// examples and the exit codes below them.
 void finish_verb(CLI::App& verb, const char* examples);

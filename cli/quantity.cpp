@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -32,29 +33,60 @@ double per_millimetre(const Rational& per_unit, Resolution::Unit unit) {
   return 0;
 }
 
+constexpr std::string_view kExpectedLength =
+    "is not a length: give a number of grid units, or 3px, 0.5mm, 0.1in";
+
+struct NumberAndUnit {
+  double number = 0;
+  std::optional<std::string_view> unit;  ///< none if nothing follows
+};
+
+/// A decimal number, not negative, and a word, perhaps after a space.
+std::optional<NumberAndUnit> split(std::string_view text) {
+  NumberAndUnit found;
+  const char* end = text.data() + text.size();
+  const auto [rest, failure] =
+      std::from_chars(text.data(), end, found.number, std::chars_format::fixed);
+  if (failure != std::errc() || !std::isfinite(found.number) ||
+      std::signbit(found.number)) {
+    return std::nullopt;
+  }
+  if (rest == end) return found;
+  found.unit = std::string_view(rest, static_cast<std::size_t>(end - rest));
+  if (found.unit->front() == ' ') found.unit->remove_prefix(1);
+  return found;
+}
+
 }  // namespace
 
 Result<Quantity> parse_quantity(std::string_view text) {
-  constexpr std::string_view kExpected =
-      "is not a length: give a number of grid units, or 3px, 0.5mm, 0.1in";
-  Quantity quantity;
-  const char* end = text.data() + text.size();
-  const auto [rest, failure] = std::from_chars(text.data(), end, quantity.value,
-                                               std::chars_format::fixed);
-  if (failure != std::errc() || !std::isfinite(quantity.value) ||
-      std::signbit(quantity.value)) {
-    return invalid(text, kExpected);
-  }
-  std::string_view suffix(rest, static_cast<std::size_t>(end - rest));
-  if (!suffix.empty() && suffix.front() == ' ') suffix.remove_prefix(1);
-  if (suffix == "mm") {
+  const std::optional<NumberAndUnit> found = split(text);
+  if (!found) return invalid(text, kExpectedLength);
+  Quantity quantity{found->number, Quantity::Unit::grid};
+  if (found->unit == "mm") {
     quantity.unit = Quantity::Unit::millimetre;
-  } else if (suffix == "in") {
+  } else if (found->unit == "in") {
     quantity.unit = Quantity::Unit::inch;
-  } else if (suffix != "px" && rest != end) {
-    return invalid(text, kExpected);
+  } else if (found->unit && found->unit != "px") {
+    return invalid(text, kExpectedLength);
   }
   return quantity;
+}
+
+Result<Quantity> parse_signed_quantity(std::string_view text) {
+  const bool sign = text.starts_with('+') || text.starts_with('-');
+  Result<Quantity> quantity = parse_quantity(text.substr(sign ? 1 : 0));
+  if (!quantity) return invalid(text, kExpectedLength);
+  if (text.starts_with('-')) quantity->value = -quantity->value;
+  return quantity;
+}
+
+Result<double> parse_seconds(std::string_view text) {
+  const std::optional<NumberAndUnit> found = split(text);
+  if (found && (!found->unit || found->unit == "s")) return found->number;
+  if (found && found->unit == "ms") return found->number / 1000;
+  return invalid(text,
+                 "is not a time: give a number of seconds, or 0.5s, 10ms");
 }
 
 Result<double> to_grid_units(const Quantity& quantity, const Rational& per_unit,

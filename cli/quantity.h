@@ -21,6 +21,13 @@ struct Quantity {
 /// between. invalid_argument otherwise.
 Result<Quantity> parse_quantity(std::string_view text);
 
+/// The same with an optional sign before it: a way along an axis.
+Result<Quantity> parse_signed_quantity(std::string_view text);
+
+/// A time in seconds: a decimal number, not negative: "0.01", "0.01s", "10ms".
+/// invalid_argument otherwise.
+Result<double> parse_seconds(std::string_view text);
+
 /// The quantity in grid units along an axis that has `per_unit` of them per
 /// `unit`. invalid_argument for mm or in where the resolution is unknown.
 Result<double> to_grid_units(const Quantity& quantity, const Rational& per_unit,

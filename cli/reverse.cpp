@@ -14,6 +14,8 @@
 #include <string>
 
 #include "cli/exit_code.h"
+#include "cli/message.h"
+#include "cli/options.h"
 #include "cli/verbs.h"
 
 namespace unstep::cli {
@@ -25,9 +27,21 @@ struct Request {
   bool table = false;
 };
 
-ExitCode fail(ExitCode code, const std::string& what) {
-  fmt::print(stderr, "unstep reverse: {}\n", what);
-  return code;
+constexpr const char* kExamples =
+    "  unstep reverse < steps.txt                      'DX DY' per segment\n"
+    "  echo 02002002000 | unstep reverse --table       the registers too\n"
+    "  unstep interpolate 70 30 | unstep reverse\n"
+    "\n"
+    "A segment is printed as soon as its last step has come. Codes are 0 "
+    "(east),\n"
+    "2 (north), 4 and 6; diagonal steps are refused.\n";
+
+ExitCode refuse(ErrorCode code, const std::string& reason) {
+  return report_error("standard input", {code, reason});
+}
+
+ExitCode cannot_write() {
+  return report_error("standard output", {ErrorCode::io_error, "cannot write"});
 }
 
 /// Where the reader is, and what it makes of a byte.
@@ -91,23 +105,22 @@ ExitCode read_steps(bool text, Use use, Idle idle) {
   StepReader reader(text);
   std::array<unsigned char, 1 << 16> buffer;
   for (;;) {
-    if (!idle()) return fail(ExitCode::io, "cannot write to standard output");
+    if (!idle()) return cannot_write();
     const ssize_t n = read(STDIN_FILENO, buffer.data(), buffer.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0)
-      return fail(ExitCode::io, fmt::format("cannot read standard input: {}",
-                                            std::strerror(errno)));
+      return refuse(ErrorCode::io_error,
+                    fmt::format("cannot read: {}", std::strerror(errno)));
     if (n == 0) break;
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
       Step step = 0;
       const StepReader::Got got = reader.take(buffer[i], step);
       if (got == StepReader::Got::error)
-        return fail(ExitCode::bad_input, reader.problem());
+        return refuse(ErrorCode::corrupt, reader.problem());
       if (got == StepReader::Got::step) use(step);
     }
   }
-  if (reader.steps() == 0)
-    return fail(ExitCode::bad_input, "standard input holds no steps");
+  if (reader.steps() == 0) return refuse(ErrorCode::corrupt, "holds no steps");
   return ExitCode::ok;
 }
 
@@ -162,20 +175,19 @@ ExitCode run(const Request& request) {
   }
   Segment last;
   if (device.finish(last)) print_segment(last);
-  if (std::fflush(stdout) != 0)
-    return fail(ExitCode::io, "cannot write to standard output");
+  if (std::fflush(stdout) != 0) return cannot_write();
   return ExitCode::ok;
 }
 
 ExitCode reverse_verb(const Request& request) {
   if (request.input != "freeman" && request.input != "bytes")
-    return fail(
-        ExitCode::usage,
+    return report_usage(
+        "reverse",
         fmt::format("unknown input '{}': freeman or bytes", request.input));
   if (request.method == "device") return run<DeviceRegisters>(request);
   if (request.method == "gate-level") return run<GateNet>(request);
-  return fail(
-      ExitCode::usage,
+  return report_usage(
+      "reverse",
       fmt::format("unknown method '{}': device or gate-level", request.method));
 }
 
@@ -186,18 +198,16 @@ void add_reverse(CLI::App& app, Context& context) {
   CLI::App* verb = app.add_subcommand(
       "reverse", "Turn unit steps from standard input into segments");
   verb->add_option("--method", request->method,
-                   "device (SU 1089551) or gate-level (the same as a net)")
-      ->capture_default_str();
+                   "device (SU 1089551) or gate-level, the same as a net "
+                   "[device]")
+      ->type_name("NAME");
   verb->add_option("--input", request->input,
-                   "freeman: digits, white space ignored; bytes: 0..7")
-      ->capture_default_str();
+                   "freeman: digits, white space ignored; bytes: 0 to 7 "
+                   "[freeman]")
+      ->type_name("FORM");
   verb->add_flag("--table", request->table,
                  "A row per step: step X Y F, and 'segment DX DY' lines");
-  verb->footer(
-      "Prints 'DX DY' for every segment as soon as its last step has come.\n"
-      "Codes are 0 (east), 2 (north), 4, 6; diagonal steps are refused.\n\n"
-      "  echo 02002002000 | unstep reverse --table\n"
-      "  unstep interpolate 70 30 | unstep reverse\n");
+  finish_verb(*verb, kExamples);
   verb->callback([request, &context] {
     context.run = [request] { return reverse_verb(*request); };
   });

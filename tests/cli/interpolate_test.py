@@ -125,13 +125,30 @@ class Interpolate(unittest.TestCase):
             ["increments", "D2"], ["cordic", "D3"], ["meggitt", "D3"],
             ["rom", "D4"], ["general", "D5"]])
 
+    def test_lengths_are_grid_units_with_or_without_px(self):
+        self.assertEqual(self.output("7px", "-3 px"), self.output("7", "-3"))
+        self.assertEqual(self.output("--arc", "0", "-50px", "+50px", "-50"),
+                         self.output("--arc", "0", "-50", "50", "-50"))
+        general = ["--method", "general", "--csv", "--feed"]
+        self.assertEqual(
+            self.output(*general, "200px", "--period", "10ms", "20", "5"),
+            self.output(*general, "200", "--period", "0.01s", "20", "5"))
+
+    def test_lengths_that_need_a_scale_are_refused(self):
+        reason = "a length in mm or in needs a resolution, and none is known"
+        for words in (["DX '5mm': ", "5mm", "1"], ["DY '-5in': ", "1", "-5in"],
+                      ["CX '2 mm': ", "--arc", "2 mm", "0", "0", "0"],
+                      ["--feed: ", "--feed", "3in", "1", "1"]):
+            self.refused(2, words[0] + reason, *words[1:])
+
     def test_bad_requests_print_no_result(self):
         self.refused(2, "unknown method 'bresenham'", "--method", "bresenham",
                      "1", "1")
         self.refused(2, "DX DY or --arc", "1")
         self.refused(2, "DX DY or --arc")
-        self.refused(2, "DX 'abc' is not a whole number", "abc", "1")
+        self.refused(2, "DX 'abc' is not a length", "abc", "1")
         self.refused(2, "DY '2.5' is not a whole number", "1", "2.5")
+        self.refused(2, "DY '-1e3' is not a length", "1", "-1e3")
         self.refused(3, "DX '2147483648' is outside", "2147483648", "1")
         self.refused(2, "circular draws no lines", "--method", "circular", "1",
                      "1")
@@ -143,8 +160,16 @@ class Interpolate(unittest.TestCase):
                      "0", "0", "0")
         self.refused(3, "needs registers of 5 bits", "--method",
                      "rate-multiplier", "--bits", "4", "16", "0")
-        self.refused(3, "feed", "--method", "increments", "--feed", "-1", "5",
+        self.refused(2, "--feed: '-1' is not a length", "--method",
+                     "increments", "--feed", "-1", "5", "5")
+        self.refused(3, "feed", "--method", "increments", "--feed", "0", "5",
                      "5")
+        self.refused(2, "--period: '1px' is not a time", "--period", "1px",
+                     "5", "5")
+        self.refused(2, "--bits: '33' is not within 1 to 32", "--bits", "33",
+                     "5", "5")
+        self.refused(2, "--source: 'sine' is not cordic, meggitt or rom",
+                     "--source", "sine", "5", "5")
         self.refused(2, "not both", "--arc", "5", "0", "0", "0", "--", "1",
                      "1")
         self.refused(2, "exclude each other", "--csv", "--json", "1", "1")

@@ -85,5 +85,24 @@ TEST(Count, EverythingElseIsRefused) {
   }
 }
 
+TEST(Quantity, WaysHaveASign) {
+  EXPECT_EQ(*parse_signed_quantity("-3px"), (Quantity{-3, Unit::grid}));
+  EXPECT_EQ(*parse_signed_quantity("+0.5mm"),
+            (Quantity{0.5, Unit::millimetre}));
+  EXPECT_EQ(*parse_signed_quantity("12"), (Quantity{12, Unit::grid}));
+  for (const char* text : {"", "-", "--3", "+-3", "- 3", "-inf", "-3e2"}) {
+    EXPECT_FALSE(parse_signed_quantity(text)) << text;
+  }
+}
+
+TEST(Quantity, TimesAreSeconds) {
+  EXPECT_EQ(*parse_seconds("0.25"), 0.25);
+  EXPECT_EQ(*parse_seconds("2s"), 2);
+  EXPECT_EQ(*parse_seconds("500 ms"), 0.5);
+  for (const char* text : {"", "-1", "1e3", "3px", "3 ", "nan"}) {
+    EXPECT_FALSE(parse_seconds(text)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace unstep::cli

@@ -131,7 +131,7 @@ class Reverse(unittest.TestCase):
                          (-70, 30))
 
     def test_bad_input_is_named_with_its_place(self):
-        self.refused(3, "holds no steps", b"")
+        self.refused(3, "unstep: standard input: holds no steps\n", b"")
         self.refused(3, "holds no steps", b" \n\n")
         self.refused(3, "line 2, column 3: 'x' is no Freeman code",
                      b"00\n00x0\n")

@@ -17,7 +17,8 @@ class Usage(harness.CliTest):
             self.assertIn(f"\n  {code}", out)
 
     def test_every_verb_has_examples_and_exit_codes(self):
-        for verb in ["compress", "decompress", "verify", "info", "batch"]:
+        for verb in ["compress", "decompress", "verify", "info", "batch",
+                     "interpolate", "reverse"]:
             out = self.expect([verb, "--help"]).out
             self.assertIn("Examples:\n  unstep " + verb, out)
             self.assertIn("Exit codes:\n", out)
