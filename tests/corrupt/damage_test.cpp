@@ -45,6 +45,59 @@ Bytes with_resolution(const Bitmap& ink) {
   return write_pages(std::vector{ink}, {}, info);
 }
 
+Drawing strokes() {
+  Drawing drawing;
+  drawing.canvas = {40, 30, YAxis::down};
+  drawing.chains = {
+      {{3, 4}, Connectivity::four, true, {0, 0, 0, 6, 6, 4, 4, 4, 2, 2}},
+      {{-2, 9}, Connectivity::eight, false, {0, 1, 0, 1, 7, 0, 0, 6, 5}},
+      {{30, 20}, Connectivity::eight, true, {}}};
+  return drawing;
+}
+
+Bytes write_chains(EncodeOptions options, const PageInfo& info) {
+  UstpWriter writer(std::move(options));
+  const Status added = writer.add_page(strokes(), info);
+  EXPECT_TRUE(added) << added.error().message;
+  const Result<Bytes> file = writer.finish();
+  EXPECT_TRUE(file) << file.error().message;
+  return file ? *file : Bytes{};
+}
+
+/// What `unstep batch` adds to every file.
+EncodeOptions batch_options() {
+  EncodeOptions options;
+  options.metadata = {{"unstep:source-size", "4711"},
+                      {"unstep:source-crc32", "0badcafe"}};
+  return options;
+}
+
+/// A ring and a bar: curves, corners, a hole.
+Bitmap icon() {
+  Bitmap ink = *Bitmap::create(31, 27);
+  for (std::int32_t y = 0; y < 27; ++y) {
+    for (std::int32_t x = 0; x < 31; ++x) {
+      const std::int32_t r = (x - 12) * (x - 12) + (y - 13) * (y - 13);
+      ink.set(x, y, (r >= 36 && r <= 110) || (x > 24 && x < 28 && y > 2));
+    }
+  }
+  return ink;
+}
+
+/// Files whose every payload comes from an arithmetic coder.
+std::vector<Sample> coded_samples() {
+  return {
+      {"coded white", write_pages(std::vector{*Bitmap::create(8, 8)}, {})},
+      {"coded dot",
+       write_pages(std::vector{ink_of({"...", ".#.", "..."})}, {})},
+      {"icon", write_pages(std::vector{icon()}, {})},
+      {"icon with resolution", with_resolution(icon())},
+      {"icon from batch", write_pages(std::vector{icon()}, batch_options())},
+      {"chains", write_chains({}, {})},
+      {"chains from batch", write_chains(batch_options(), rich_info())},
+  };
+}
+
 std::vector<Sample> samples() {
   const Bitmap glyph =
       ink_of({"........", ".######.", ".#....#.", ".#.##.#.",  //
@@ -128,6 +181,26 @@ TEST(Damage, EveryFlippedBitOutsideAPayloadIsAnError) {
       damaged[bit / 8] ^= mask;
       EXPECT_FALSE(decode_all(damaged)) << sample.name << " bit " << bit;
       damaged[bit / 8] ^= mask;
+    }
+  }
+}
+
+/// An arithmetic coder's payload has one spelling: no flip or cut gives the
+/// same drawing again.
+TEST(Damage, AnyChangeOfACodedFileIsAnError) {
+  for (const Sample& sample : coded_samples()) {
+    const Result<Decoded> intact = decode_all(sample.file);
+    ASSERT_TRUE(intact) << sample.name << ": " << intact.error().message;
+    Bytes damaged = sample.file;
+    for (std::size_t bit = 0; bit < 8 * damaged.size(); ++bit) {
+      const auto mask = static_cast<std::uint8_t>(1U << bit % 8);
+      damaged[bit / 8] ^= mask;
+      EXPECT_FALSE(decode_all(damaged)) << sample.name << " bit " << bit;
+      damaged[bit / 8] ^= mask;
+    }
+    for (std::size_t size = 0; size < damaged.size(); ++size) {
+      EXPECT_FALSE(decode_all(std::span(damaged).first(size)))
+          << sample.name << " cut to " << size;
     }
   }
 }
