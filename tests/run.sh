@@ -10,11 +10,11 @@ usage: tests/run.sh [--preset NAME]... [--label REGEX] [--jobs N] [--no-install]
 
 Builds under build/ and runs the tests with ctest: under the sanitizers those
 that read foreign or damaged bytes (labels unit, golden, corrupt, fuzz), then
-all of them in the optimised build with assertions. The last lines are ctest's
+all but the label slow in the optimised build with assertions. The last lines are ctest's
 own summary: of the last run, or of the first that failed.
 
   --preset NAME  only this preset of CMakePresets.json; may be repeated
-  --label REGEX  only tests whose label matches
+  --label REGEX  only tests whose label matches; slow is run only so
   --jobs N       parallel compilations and tests (default: all cores)
   --no-install   never call apt-get
 
@@ -22,6 +22,7 @@ Exit code: 0 all passed, 1 something failed, 2 usage.
 
   tests/run.sh
   tests/run.sh --preset dev --label 'unit|cli'
+  tests/run.sh --preset dev --label slow
 END
 }
 
@@ -52,7 +53,7 @@ if [ $install = yes ]; then
   install_missing $needs_build $needs_tests $needs_demo
 fi
 
-# The tests that run in a preset by default; all in those not named.
+# The tests that run in a preset by default; all but slow in those not named.
 default_label() {
   case $1 in
     asan-ubsan) echo 'unit|golden|corrupt|fuzz' ;;
@@ -67,7 +68,7 @@ run_preset() {
   then
     generator=(-G Ninja)
   fi
-  if [ -n "$labels" ]; then chosen=(-L "$labels"); fi
+  if [ -n "$labels" ]; then chosen=(-L "$labels"); else chosen=(-LE slow); fi
   echo "== $preset: build"
   cmake --preset "$preset" "${generator[@]}" --log-level=WARNING >/dev/null ||
     return 1
