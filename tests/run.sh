@@ -60,6 +60,14 @@ default_label() {
   esac
 }
 
+# What is built in a preset by default; everything in those not named.
+default_target() {
+  case $1 in
+    asan-ubsan) echo sanitizer_tests ;;
+    *) echo all ;;
+  esac
+}
+
 # run_preset name: 0 if it builds and passes; the ctest output is kept.
 run_preset() {
   local preset=$1 generator=() chosen=()
@@ -72,7 +80,9 @@ run_preset() {
   echo "== $preset: build"
   cmake --preset "$preset" "${generator[@]}" --log-level=WARNING >/dev/null ||
     return 1
-  cmake --build "build/$preset" -j "$jobs" || return 1
+  local target=all
+  if [ -z "$label" ]; then target=$(default_target "$preset"); fi
+  cmake --build "build/$preset" -j "$jobs" --target "$target" || return 1
   echo "== $preset: test"
   ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure \
     --no-tests=error "${chosen[@]}" </dev/null 2>&1 |
