@@ -56,16 +56,6 @@ inline constexpr std::uint64_t kMaxMetadataTotal = 16U << 20;
 /// Above this many pixels a page is cut into bands unless told otherwise.
 inline constexpr std::uint64_t kAutoBandPixels = std::uint64_t{1} << 26;
 
-/// Where a payload block draws. Ink: its band. Chains: the smallest box of
-/// grid points that holds every visited point; one point is 0 x 0.
-struct Box {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-  friend bool operator==(const Box&, const Box&) = default;
-};
-
 /// Bytes of a row of an ink page in its canonical form (PBM's).
 [[nodiscard]] constexpr std::uint64_t row_bytes(std::int32_t width) {
   return (static_cast<std::uint64_t>(width) + 7) / 8;

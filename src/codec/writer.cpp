@@ -224,7 +224,8 @@ Status UstpWriter::add_page(const Bitmap& ink, const PageInfo& info) {
       [&](PageParts& page) { return impl_->encode_ink(ink, page); });
 }
 
-Status UstpWriter::add_page(const Drawing& drawing, const PageInfo& info) {
+Status UstpWriter::add_page(const Drawing& drawing, const PageInfo& info,
+                            const Fidelity& /*fidelity*/) {
   if (!drawing.paths.empty()) {
     return Error{ErrorCode::invalid_argument,
                  "a drawing with paths; only chains can be stored"};

@@ -122,7 +122,7 @@ std::vector<codec::PageParts> parts_of(const Bytes& file) {
       block.encoded.payload.assign(
           start, start + static_cast<std::ptrdiff_t>(from.bytes));
       block.checksum = parsed.proofs[p][b].checksum;
-      block.box = parsed.proofs[p][b].box.value_or(codec::Box{});
+      block.box = parsed.proofs[p][b].box.value_or(Box{});
       block.first_row = from.first_row;
       block.rows = from.rows;
       block.chains = from.chains;

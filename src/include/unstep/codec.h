@@ -28,12 +28,6 @@ namespace unstep {
 /// May be called from a worker thread, never from two at once.
 using Progress = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
-struct Rational {
-  std::uint32_t numerator = 0;
-  std::uint32_t denominator = 1;
-  friend bool operator==(const Rational&, const Rational&) = default;
-};
-
 /// Pixels (grid units) per unit of length, exactly as the source said it.
 /// Unit none means that only the ratio x : y is known.
 struct Resolution {
@@ -81,12 +75,37 @@ struct DecodeOptions {
   Progress progress;
 };
 
-enum class PageKind : std::uint8_t { ink = 0, chains = 1 };
+enum class PageKind : std::uint8_t { ink = 0, chains = 1, paths = 2 };
+
+/// How a page of paths stands to the chains that it was made from.
+struct Fidelity {
+  enum class Kind : std::uint8_t {
+    exact = 0,      ///< the page is what was given
+    tolerance = 1,  ///< within `tolerance` of the chains, Frechet distance
+    device = 2,     ///< segments of DeviceReverse: drawn by Method::device they
+                    ///< are within 1 unit per axis at the same step
+  };
+  Kind kind = Kind::exact;
+  Rational tolerance{0, 1};  ///< grid units, when kind == tolerance
+  friend bool operator==(const Fidelity&, const Fidelity&) = default;
+};
+
+/// A part of the canvas, in grid units.
+struct Box {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  friend bool operator==(const Box&, const Box&) = default;
+};
 
 /// What the file says of a page, known without decoding its payload.
 struct PageEntry {
   PageKind kind = PageKind::ink;
-  Canvas canvas;  ///< pixels of an ink page
+  Canvas canvas;              ///< pixels of an ink page
+  Fidelity fidelity;          ///< paths
+  std::int32_t scale = 1;     ///< paths: Drawing::scale
+  Paint paint = Paint::fill;  ///< paths: Drawing::paint
   PageInfo info;
   std::uint32_t checksum = 0;  ///< CRC-32 of the decoded page (format.md)
   struct Block {
@@ -94,11 +113,14 @@ struct PageEntry {
     std::uint64_t bytes = 0;     ///< of the payload
     std::int32_t first_row = 0;  ///< ink: the band's rows
     std::int32_t rows = 0;
-    std::uint64_t chains = 0;  ///< chains: how many
-    std::uint64_t steps = 0;
-    std::uint8_t coder = 0;     ///< coder id, format.md
-    std::uint8_t revision = 0;  ///< model revision
-    std::uint8_t table = 0;     ///< warm-start table, 0 = none
+    std::uint64_t chains = 0;    ///< chains: how many
+    std::uint64_t steps = 0;     ///< chains
+    std::uint64_t paths = 0;     ///< paths: how many
+    std::uint64_t elements = 0;  ///< paths: segments and arcs
+    Box box;                     ///< what it draws lies inside
+    std::uint8_t coder = 0;      ///< coder id, format.md
+    std::uint8_t revision = 0;   ///< model revision
+    std::uint8_t table = 0;      ///< warm-start table, 0 = none
   };
   std::vector<Block> blocks;
 };
@@ -111,10 +133,12 @@ struct FileInfo {
   std::vector<PageEntry> pages;
 };
 
-/// A decoded page: `ink` for PageKind::ink, `drawing.chains` otherwise.
+/// A decoded page: `ink` for PageKind::ink, `drawing.chains` for
+/// PageKind::chains, `drawing.paths` for PageKind::paths.
 struct Page {
   PageKind kind = PageKind::ink;
   PageInfo info;
+  Fidelity fidelity;
   Bitmap ink;
   Drawing drawing;
 };
@@ -132,9 +156,11 @@ class UstpWriter {
   /// internal if the proof failed: the file must not be used.
   Status add_page(const Bitmap& ink, const PageInfo& info);
 
-  /// Encodes the chains of a drawing, step for step, in their order.
-  /// invalid_argument if the drawing has paths or an invalid chain.
-  Status add_page(const Drawing& drawing, const PageInfo& info);
+  /// Encodes the chains of a drawing, step for step, or its paths, element
+  /// for element, in their order; `fidelity` is kept with paths.
+  /// invalid_argument if the drawing has both or an invalid one.
+  Status add_page(const Drawing& drawing, const PageInfo& info,
+                  const Fidelity& fidelity = {});
 
   /// The whole file. invalid_argument if there is no page.
   Result<std::vector<std::uint8_t>> finish();
@@ -160,6 +186,13 @@ class UstpReader {
   /// Decodes a page and checks it against its checksum. out_of_range if there
   /// is no such page. The reader stays usable after a failure.
   Result<Page> read_page(std::size_t index) const;
+
+  /// Decodes only the blocks whose boxes meet `box`, each against its own
+  /// checksum, and gives what lies in them: ink as the box itself cut out of
+  /// the page (`box` clipped to the page, then its upper left corner is pixel
+  /// (0, 0)), chains and paths whole, unclipped, where their blocks have them.
+  /// out_of_range if there is no such page or the box misses an ink page.
+  Result<Page> read_page(std::size_t index, const Box& box) const;
 
  private:
   struct Impl;

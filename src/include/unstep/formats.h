@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -84,6 +85,72 @@ class RasterWriter {
  private:
   struct Impl;
   explicit RasterWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A page of a vector file, or what is written to one.
+struct VectorPage {
+  Drawing drawing;  ///< chains or paths
+  PageInfo info;
+  /// One line each: what of the source is not kept, what was decided.
+  std::vector<std::string> notes;
+};
+
+enum class VectorFormat : std::uint8_t { svg, dxf, hpgl, pdf, json, freeman };
+
+struct VectorReadOptions {
+  /// Curves become lines that are never farther than this from them, in units
+  /// of the file. 0: a thousandth of the larger side of the drawing's box.
+  double curve_tolerance = 0;
+  DecodeLimits limits;
+};
+
+/// Reads SVG, DXF (ASCII), HPGL, unstep's JSON or Freeman text from memory.
+/// Vertices stay what they are in the file: Drawing::scale is the power of ten
+/// (of two for binary fractions) that holds them, rounded where it must be,
+/// and a note says so. bad_magic if the bytes are not of the format; otherwise
+/// errors name the place.
+Result<std::vector<VectorPage>> read_vector(std::string_view bytes,
+                                            VectorFormat format,
+                                            const VectorReadOptions& options);
+
+/// Which vector format these bytes are, by content; nothing if none.
+[[nodiscard]] std::optional<VectorFormat> recognise_vector(
+    std::string_view bytes);
+
+/// Takes the bytes of a file as they are made, in order.
+using ByteSink = std::function<Status(std::string_view bytes)>;
+
+/// Writes vector files path by path, in memory that does not grow with their
+/// number (but for PDF's table of pages).
+///
+///     Result<VectorWriter> svg = VectorWriter::create(VectorFormat::svg,
+///     sink); svg->begin_page(canvas, scale, paint, info); for (const Path&
+///     path : paths) svg->add(path); svg->end_page(); svg->finish();
+class VectorWriter {
+ public:
+  static Result<VectorWriter> create(VectorFormat format, ByteSink sink);
+  ~VectorWriter();
+  VectorWriter(VectorWriter&&) noexcept;
+  VectorWriter& operator=(VectorWriter&&) noexcept;
+
+  /// invalid_argument for a second page where the format has but one.
+  Status begin_page(const Canvas& canvas, std::int32_t scale, Paint paint,
+                    const PageInfo& info);
+  Status add(const Path& path);
+  Status add(const Chain& chain);
+  Status end_page();
+  Status finish();
+
+  /// begin_page, all chains and paths, end_page.
+  Status add_page(const Drawing& drawing, const PageInfo& info);
+
+  /// What the format could not carry so far, one line each.
+  [[nodiscard]] const std::vector<std::string>& notes() const;
+
+ private:
+  struct Impl;
+  explicit VectorWriter(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -13,6 +13,13 @@ namespace unstep {
 /// differences fits int64 (2 * 2^62 < 2^63).
 inline constexpr std::int32_t kMaxCoord = (1 << 30) - 1;
 
+/// A number of 0 or more, exactly.
+struct Rational {
+  std::uint32_t numerator = 0;
+  std::uint32_t denominator = 1;
+  friend bool operator==(const Rational&, const Rational&) = default;
+};
+
 struct Point {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -55,6 +62,22 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
+/// A digital straight segment: n unit steps that one straight line draws.
+/// Step i, 0 <= i < n, is s1 if floor((a (i + 1) + r) / w) exceeds
+/// floor((a i + r) / w), otherwise s0. s0 and s1 are neighbours (s0 +- 1, or
+/// +- 2 if 4-connected), or equal. INVARIANT: n >= 1, 0 <= a <= w, w >= 1,
+/// 0 <= r < w.
+struct DigitalSegment {
+  Step s0 = 0;
+  Step s1 = 0;
+  std::uint32_t n = 0;
+  std::uint32_t a = 0;
+  std::uint32_t w = 1;
+  std::uint32_t r = 0;
+  friend bool operator==(const DigitalSegment&,
+                         const DigitalSegment&) = default;
+};
+
 /// A circular arc of a path, from the current point. `centre` and `end` are
 /// relative to the current point; end == (0,0) is a full circle.
 struct Arc {
@@ -64,7 +87,9 @@ struct Arc {
   friend bool operator==(const Arc&, const Arc&) = default;
 };
 
-/// An origin and segments or arcs, joined end to start.
+/// An origin and segments or arcs, joined end to start. A closed path returns
+/// to its origin; its last element leads there. `width` is that of the pen in
+/// path units, 0 if there is none (a filled outline, a hairline).
 struct Path {
   enum class Kind : std::uint8_t { segment, arc };
   struct Element {
@@ -75,6 +100,7 @@ struct Path {
   };
   Point origin;
   bool closed = false;
+  std::int32_t width = 0;
   std::vector<Element> elements;
   friend bool operator==(const Path&, const Path&) = default;
 };
@@ -87,12 +113,23 @@ struct Canvas {
   friend bool operator==(const Canvas&, const Canvas&) = default;
 };
 
+/// How paths become ink: all closed paths of the drawing together by even-odd
+/// filling, or each path by a pen of its width.
+enum class Paint : std::uint8_t { fill, stroke };
+
 /// A canvas and what is drawn on it, in drawing order: chains (unit steps) and
 /// paths (lines and arcs).
 struct Drawing {
+  /// Path units per grid unit are 1..kMaxScale.
+  static constexpr std::int32_t kMaxScale = 1 << 20;
+
   Canvas canvas;
   std::vector<Chain> chains;
   std::vector<Path> paths;
+  /// Coordinates of `paths`, not of canvas and chains, are in 1 / scale of a
+  /// grid unit: a sub-grid of 1/2^k, or the decimals of a vector file.
+  std::int32_t scale = 1;
+  Paint paint = Paint::fill;  ///< of the paths
   friend bool operator==(const Drawing&, const Drawing&) = default;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -122,5 +123,80 @@ using GateReverse = BasicDeviceReverse<GateNet>;
 /// A2 over a whole chain. invalid_argument naming the step's index if a step
 /// is diagonal or no Freeman code.
 Result<std::vector<Segment>> reverse_device(std::span<const Step> steps);
+
+/// Exact reverse interpolation: the longest digital straight segments, one
+/// after the other, found with the first step that does not fit. Constant
+/// memory. interpolate() of the segments gives exactly the steps.
+class ExactReverse {
+ public:
+  explicit ExactReverse(Connectivity connectivity);
+
+  /// Takes one step. Pushed::refused, nothing changed, if the step is no code
+  /// of the connectivity.
+  Pushed push(Step step, DigitalSegment& closed);
+
+  /// End of message. True if a segment was open: it is written.
+  bool finish(DigitalSegment& closed);
+
+ private:
+  static constexpr std::size_t kStateBytes = 128;
+  alignas(8) std::array<std::byte, kStateBytes> state_{};
+};
+
+/// The segments of a whole chain. On a closed chain the first segment may
+/// start anywhere: `start` is the index of its first step, chosen so that
+/// there are few segments; 0 on open chains.
+struct DigitalSegments {
+  std::size_t start = 0;
+  std::vector<DigitalSegment> segments;
+};
+
+/// Greedy and maximal: no segment but the last could be a step longer.
+/// invalid_argument naming the step's index if it does not fit the
+/// connectivity.
+Result<DigitalSegments> reverse_exact(const Chain& chain);
+
+/// How much work is worth it.
+enum class Effort : std::uint8_t { fast, standard, max };
+
+struct ToleranceOptions {
+  /// Euclidean Frechet distance between the chain and the path, in grid
+  /// units, before rasterising: never more than this. From 1/256 to 2^20.
+  Rational tolerance{1, 1};
+  /// standard: one pass, vertices on points of the chain (of the sub-grid
+  /// below 1). max: as few segments as there can be, and free vertices where
+  /// they save some.
+  Effort effort = Effort::standard;
+  bool arcs = true;  ///< arcs where one replaces several lines
+};
+
+/// What reverse_tolerance did.
+struct ToleranceReport {
+  std::uint64_t segments = 0;
+  std::uint64_t arcs = 0;
+  /// Paths that were made finer because they met themselves or each other
+  /// although the chains did not.
+  std::uint64_t refined = 0;
+};
+
+/// The chains of `drawing` as paths within the tolerance, in their order; the
+/// result has the canvas of `drawing` and no chains. Ends of open chains are
+/// kept, closed chains stay closed and may start elsewhere.
+/// At a tolerance of at most 1, contours that were simple do not cross
+/// themselves or each other.
+/// invalid_argument for chains that are not valid or a drawing with paths,
+/// out_of_range for the tolerance.
+Result<Drawing> reverse_tolerance(const Drawing& drawing,
+                                  const ToleranceOptions& options,
+                                  ToleranceReport* report = nullptr);
+
+/// One chain alone. The path's coordinates are in 1 / path_scale(tolerance)
+/// grid units, as those of the drawing above.
+Result<Path> reverse_tolerance(const Chain& chain, YAxis axis,
+                               const ToleranceOptions& options);
+
+/// Path units per grid unit for this tolerance: 1 from 1 up, a power of two
+/// below.
+[[nodiscard]] std::int32_t path_scale(const Rational& tolerance);
 
 }  // namespace unstep

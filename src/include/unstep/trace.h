@@ -36,4 +36,12 @@ Status trace_contours(const Bitmap& ink, const ContourVisitor& visit);
 Result<Bitmap> fill_contours(std::span<const Chain> contours,
                              std::int32_t width, std::int32_t height);
 
+/// Draws the closed paths of a drawing by even-odd filling: a pixel is ink if
+/// its centre is inside (Paint::fill), or, by pens with round ends, if its
+/// centre is at most half the pen's width from a path (Paint::stroke; width 0
+/// draws the pixels of an 8-connected line). Exact in integers; arcs are
+/// flattened to within 1/64 of a grid unit. invalid_argument for a canvas
+/// without size.
+Result<Bitmap> render_paths(const Drawing& drawing);
+
 }  // namespace unstep

@@ -4,6 +4,7 @@
 
 #include "unstep/bitmap.h"
 #include "unstep/codec.h"
+#include "unstep/deviation.h"
 #include "unstep/formats.h"
 #include "unstep/grid.h"
 #include "unstep/interpolate.h"
