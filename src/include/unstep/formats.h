@@ -165,8 +165,31 @@ std::string write_freeman(const Drawing& drawing);
 Result<std::vector<std::uint8_t>> read_file(const std::string& path,
                                             std::uint64_t max_bytes);
 
-/// Writes to a temporary file in the same folder, syncs, renames. Nothing is
-/// left behind on failure. Refuses an existing path unless `overwrite`.
+/// A file written piece by piece under a temporary name in the same folder;
+/// commit() syncs it and gives it its own. Destroyed before, it leaves nothing
+/// behind. Pipes and other special files are written as the bytes come.
+///
+///     Result<FileWriter> file = FileWriter::create("a.svg", false);
+///     if (file && file->write(bytes)) file->commit();
+class FileWriter {
+ public:
+  /// output_exists for an existing path unless `overwrite`.
+  static Result<FileWriter> create(const std::string& path, bool overwrite);
+  ~FileWriter();
+  FileWriter(FileWriter&&) noexcept;
+  FileWriter& operator=(FileWriter&&) noexcept;
+
+  /// After a failure only destruction is allowed.
+  Status write(std::span<const std::uint8_t> bytes);
+  Status commit();
+
+ private:
+  struct Impl;
+  explicit FileWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The whole of a file at once, as FileWriter writes it.
 Status write_file(const std::string& path, std::span<const std::uint8_t> bytes,
                   bool overwrite);
 
