@@ -161,6 +161,25 @@ Result<std::size_t> interpolate(Method method,
                                 std::span<Step> out,
                                 const InterpolatorOptions& options = {});
 
+struct StepOptions {
+  /// Which lines: evaluation8 (8-connected), evaluation or device
+  /// (4-connected). Arcs are drawn by `circular`, with diagonal steps if the
+  /// lines have them.
+  Method lines = Method::evaluation8;
+  /// The distance of the points of the new grid, in grid units of the drawing.
+  double grid = 1.0;
+  std::uint64_t max_steps = std::uint64_t{1} << 32;  ///< in all
+};
+
+/// The paths of a drawing as chains, path by path, the drawing's own chains
+/// left out. Vertices are rounded to the nearest point of the new grid first;
+/// canvas and coordinates are in it. Drawn by Method::device with grid 1 and
+/// scale 1, the segments of DeviceReverse give the chain that the device
+/// draws. invalid_argument for another method or a grid that is not > 0,
+/// out_of_range if a point leaves the coordinate range, limit_exceeded for more
+/// steps than allowed.
+Result<Drawing> step_paths(const Drawing& drawing, const StepOptions& options);
+
 /// The plain per-step loop of A1, the reference of the bulk form and of the
 /// benchmarks. REQUIRES: out.size() >= step_count(Method::device, segment).
 std::size_t device_steps_reference(Segment segment, std::span<Step> out);
