@@ -37,4 +37,12 @@ Result<Deviation> measure_deviation(const Drawing& chains,
 Status check_deviation(const Drawing& chains, const Drawing& paths,
                        const Rational& tolerance);
 
+/// The guarantee of device mode (SU 1089551): draws the segments of `paths`
+/// with Method::device and compares point by point. `distance` is the largest
+/// difference on one axis at the same step index; at most 1 for what
+/// DeviceReverse makes. invalid_argument if numbers, ends or lengths differ, or
+/// a path has arcs.
+Result<Deviation> measure_device_deviation(const Drawing& chains,
+                                           const Drawing& paths);
+
 }  // namespace unstep
