@@ -114,9 +114,10 @@ struct PageEntry {
     std::int32_t first_row = 0;  ///< ink: the band's rows
     std::int32_t rows = 0;
     std::uint64_t chains = 0;    ///< chains: how many
-    std::uint64_t steps = 0;     ///< chains
+    std::uint64_t steps = 0;     ///< chains; paths: of what they stand for
     std::uint64_t paths = 0;     ///< paths: how many
     std::uint64_t elements = 0;  ///< paths: segments and arcs
+    std::uint64_t arcs = 0;      ///< paths: how many of these are arcs
     Box box;                     ///< what it draws lies inside
     std::uint8_t coder = 0;      ///< coder id, format.md
     std::uint8_t revision = 0;   ///< model revision
