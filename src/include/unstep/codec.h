@@ -87,6 +87,7 @@ struct Fidelity {
   };
   Kind kind = Kind::exact;
   Rational tolerance{0, 1};  ///< grid units, when kind == tolerance
+  std::uint64_t steps = 0;   ///< of the chains; 0: unknown
   friend bool operator==(const Fidelity&, const Fidelity&) = default;
 };
 
