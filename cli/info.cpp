@@ -162,7 +162,8 @@ std::string describe_canvas(const PageEntry& page) {
     text += page.paint == Paint::fill ? ", filled" : ", drawn by pens";
     text += fidelity_text(page.fidelity);
     if (page.scale != 1) {
-      text += fmt::format(", {} units per pixel", grouped(page.scale));
+      text += fmt::format(", {} units per pixel",
+                          grouped(static_cast<std::uint64_t>(page.scale)));
     }
   }
   if (page.kind != PageKind::ink) {
