@@ -11,7 +11,7 @@
 namespace unstep::reverse {
 
 /// A chain in path units. Indices count steps; on a closed chain they go on
-/// beyond the last one, round and round (up to three times).
+/// beyond the last one, round and round (up to five times).
 class ChainWalk {
  public:
   ChainWalk(const Chain& chain, YAxis axis, std::int32_t scale)
@@ -28,7 +28,7 @@ class ChainWalk {
   [[nodiscard]] bool closed() const { return closed_; }
   [[nodiscard]] Point origin() const { return origin_; }
 
-  /// Step i of the chain. REQUIRES: i < size(), or < 4 * size() if closed.
+  /// Step i of the chain. REQUIRES: i < size(), or < 5 * size() if closed.
   [[nodiscard]] Step step(std::size_t i) const {
     while (i >= steps_.size()) i -= steps_.size();
     return steps_[i];

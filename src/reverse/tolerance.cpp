@@ -6,6 +6,7 @@
 #include "reverse/chain_check.h"
 #include "reverse/chain_walk.h"
 #include "reverse/tolerance_lines.h"
+#include "reverse/tolerance_optimum.h"
 #include "unstep/reverse.h"
 
 namespace unstep {
@@ -21,8 +22,7 @@ using reverse::PathTolerance;
 PathTolerance in_path_units(const Rational& tolerance) {
   const auto scale = static_cast<std::uint64_t>(path_scale(tolerance));
   return {static_cast<std::int64_t>(
-      (tolerance.numerator * scale
-       << PathTolerance::kBits) /
+      (tolerance.numerator * scale << PathTolerance::kBits) /
       tolerance.denominator)};
 }
 
@@ -33,6 +33,13 @@ Status check_tolerance(const Rational& e) {
   return Error{ErrorCode::out_of_range,
                "tolerance " + std::to_string(n) + "/" + std::to_string(d) +
                    " is not within 1/256 and 2^20 grid units"};
+}
+
+LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options) {
+  const PathTolerance tolerance = in_path_units(options.tolerance);
+  return options.effort == Effort::max
+             ? reverse::fit_fewest_lines(chain, tolerance)
+             : reverse::fit_lines(chain, tolerance);
 }
 
 Path path_of(const LineVertices& vertices, bool closed) {
@@ -66,8 +73,7 @@ Result<Path> reverse_tolerance(const Chain& chain, YAxis axis,
   const std::int32_t scale = path_scale(options.tolerance);
   if (Status s = reverse::check_chain(chain, axis, scale); !s) return s.error();
   const ChainWalk walk(chain, axis, scale);
-  return path_of(reverse::fit_lines(walk, in_path_units(options.tolerance)),
-                 chain.closed);
+  return path_of(fit(walk, options), chain.closed);
 }
 
 Result<Drawing> reverse_tolerance(const Drawing& drawing,

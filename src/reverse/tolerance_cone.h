@@ -65,8 +65,9 @@ class Cone {
       if (r2 > kReach * kReach) return false;
       farthest2_ = r2;
       if (r2 <= near2_) return true;
-      return r2 < fast2_ ? narrow<std::int64_t>(x, y, tangent<std::int64_t>(r2))
-                         : narrow<Wide>(x, y, tangent<Wide>(r2));
+      return r2 < fast2_
+                 ? narrow<std::int64_t>(x, y, opening<std::int64_t>(r2, e_))
+                 : narrow<Wide>(x, y, opening<Wide>(r2, e_));
     }
     if (farthest2_ <= near2_) return true;
     return farthest2_ < fast2_ ? step_back<std::int64_t>(x, y, r2)
@@ -95,49 +96,68 @@ class Cone {
     return static_cast<Int>(a.x) * b.y - static_cast<Int>(a.y) * b.x;
   }
 
-  /// The least t with t^2 >= value. A double's root of a value below 2^80 is
-  /// off by less than 1 (2^40 * 2^-52), so few corrections are needed.
   template <class Int>
-  static std::int64_t root_up(Int value) {
+  static Int dot(Vector a, Vector b) {
+    return static_cast<Int>(a.x) * b.x + static_cast<Int>(a.y) * b.y;
+  }
+
+  /// The least t with t^2 >= value. Below 2^52 a double holds the value, and
+  /// its root rounds to an integer only if that is not above the true one.
+  static std::int64_t root_up(std::int64_t value) {
+    const auto t =
+        static_cast<std::int64_t>(std::sqrt(static_cast<double>(value)));
+    return t + (t * t < value ? 1 : 0);
+  }
+  /// A double's root of a value below 2^74 is off by less than 1.
+  static std::int64_t root_up(Wide value) {
     auto t = static_cast<std::int64_t>(std::sqrt(static_cast<double>(value)));
-    while (static_cast<Int>(t) * t < value) ++t;
-    while (t > 0 && static_cast<Int>(t - 1) * (t - 1) >= value) --t;
+    while (Wide{t} * t < value) ++t;
+    while (t > 0 && Wide{t - 1} * (t - 1) >= value) --t;
     return t;
   }
 
-  /// (r^2 - e^2) * 2^24.
-  template <class Int>
-  [[nodiscard]] Int power(std::int64_t r2) const {
-    return (static_cast<Int>(r2) << kFraction2) - static_cast<Int>(e_) * e_;
+  static std::int64_t root_down(Wide value) {
+    const std::int64_t t = root_up(value);
+    return Wide{t} * t > value ? t - 1 : t;
+  }
+  static std::int64_t root_down(std::int64_t value) {
+    return static_cast<std::int64_t>(std::sqrt(static_cast<double>(value)));
   }
 
-  /// tan = e / t(r); t rounded up makes the angle smaller.
+  /// (r^2 - d^2) * 2^24, d given times 2^12.
   template <class Int>
-  [[nodiscard]] Opening tangent(std::int64_t r2) const {
-    return {root_up(power<Int>(r2)), e_};
+  static Int power(std::int64_t r2, std::int64_t d) {
+    return (static_cast<Int>(r2) << kFraction2) - static_cast<Int>(d) * d;
+  }
+
+  /// The angle asin(across / r): its tangent is across / sqrt(r^2 - across^2),
+  /// and that root is rounded up. Less than a quarter turn.
+  template <class Int>
+  static Opening opening(std::int64_t r2, std::int64_t across) {
+    const std::int64_t along = root_up(power<Int>(r2, across));
+    return {along > 0 ? along : 1, across};
   }
 
   /// A point at r < the farthest R: the ray's point at t = t(R) is in its disc
-  /// if cos(angle) >= (t^2 + r^2 - e^2) / (2 t r) = along / r. `along` is
-  /// rounded up, `across` = sqrt(r^2 - along^2) down.
+  /// if the ray's distance from q is at most sqrt(e^2 - d^2), where d = (R^2 -
+  /// r^2) / (2 t), rounded up, is what t is beyond the foot of q at most.
   template <class Int>
   bool step_back(std::int64_t x, std::int64_t y, std::int64_t r2) {
-    const std::int64_t t_up = root_up(power<Int>(farthest2_));
-    const Int own = power<Int>(r2);
-    const std::int64_t divisor = own >= 0 ? t_up - 1 : t_up;
-    if (divisor <= 0) return false;
-    const Int quotient = own / divisor + (own > 0 ? 1 : 0);
-    const Int twice = quotient + t_up;
-    Opening opening;
-    opening.along = static_cast<std::int64_t>(twice <= 1 ? 1 : (twice + 1) / 2);
-    const Int rest = (static_cast<Int>(r2) << kFraction2) -
-                     static_cast<Int>(opening.along) * opening.along;
-    if (rest < 0) return false;
-    opening.across = root_up(rest);
-    if (static_cast<Int>(opening.across) * opening.across > rest) {
-      --opening.across;
+    const Int power_of_farthest = power<Int>(farthest2_, e_);
+    if (r2 <= near2_) {
+      // The disc holds the apex: perhaps all points up to t in any direction.
+      const std::int64_t r_up = root_up(static_cast<Int>(r2) << kFraction2);
+      if (root_up(power_of_farthest) + r_up <= e_) return true;
+      if (r2 == 0) return false;
     }
-    return narrow<Int>(x, y, opening);
+    const std::int64_t t = root_down(power_of_farthest);
+    if (t == 0) return false;
+    const Int beyond =
+        ((static_cast<Int>(farthest2_ - r2) << kFraction2) + 2 * t - 1) /
+        (2 * t);
+    if (beyond > e_) return false;
+    const Int rest = static_cast<Int>(e_) * e_ - beyond * beyond;
+    return narrow<Int>(x, y, opening<Int>(r2, root_down(rest)));
   }
 
   /// Intersects with the directions around q up to the opening's angle, at most
@@ -145,13 +165,14 @@ class Cone {
   /// two left sides is the left side of the intersection if it is in the other
   /// cone; likewise right.
   template <class Int>
-  bool narrow(std::int64_t x, std::int64_t y, Opening opening) {
-    const Vector left{x * opening.along - y * opening.across,
-                      y * opening.along + x * opening.across};
-    const Vector right{x * opening.along + y * opening.across,
-                       y * opening.along - x * opening.across};
+  bool narrow(std::int64_t x, std::int64_t y, Opening half) {
+    const Vector left{x * half.along - y * half.across,
+                      y * half.along + x * half.across};
+    const Vector right{x * half.along + y * half.across,
+                       y * half.along - x * half.across};
     if (!bounded_) {
       bounded_ = true;
+      single_ = half.across == 0;
       left_ = left;
       right_ = right;
       return true;
@@ -162,18 +183,21 @@ class Cone {
     const Int right_to_new_right = cross<Int>(right_, right);
     const bool tighter_left = new_left_to_left >= 0;
     const bool tighter_right = right_to_new_right >= 0;
-    const bool some =
-        (tighter_left ? right_to_new_left : new_right_to_left) >= 0 &&
-        (tighter_right ? new_right_to_left : right_to_new_left) >= 0;
-    if (!some) return false;
-    if (tighter_left) left_ = left;
-    if (tighter_right) right_ = right;
-    // A single direction: not the opposite of the one that is asked for.
+    // Selections instead of branches: no processor can foretell them.
+    const Int of_left = tighter_left ? right_to_new_left : new_right_to_left;
+    const Int of_right = tighter_right ? new_right_to_left : right_to_new_left;
+    const Vector old = left_;
+    left_.x = tighter_left ? left.x : left_.x;
+    left_.y = tighter_left ? left.y : left_.y;
+    right_.x = tighter_right ? right.x : right_.x;
+    right_.y = tighter_right ? right.y : right_.y;
+    if ((of_left | of_right) < 0) return false;
     if (cross<Int>(right_, left_) != 0) return true;
-    return static_cast<Int>(left_.x) * x + static_cast<Int>(left_.y) * y >= 0 &&
-           static_cast<Int>(left_.x) * right_.x +
-                   static_cast<Int>(left_.y) * right_.y >
-               0;
+    // A single direction: neither the opposite of q nor of what it was before.
+    const bool opposite =
+        dot<Int>(left_, {x, y}) <= 0 || (single_ && dot<Int>(left_, old) <= 0);
+    single_ = true;
+    return !opposite;
   }
 
   template <class Int>
@@ -184,7 +208,7 @@ class Cone {
     if (from_right < 0 || to_left < 0) return false;
     if (from_right != 0 || to_left != 0) return true;
     // A single direction: not its opposite.
-    return static_cast<Int>(left_.x) * x + static_cast<Int>(left_.y) * y > 0;
+    return dot<Int>(left_, q) > 0;
   }
 
   std::int64_t e_;      ///< times 2^12
@@ -193,7 +217,8 @@ class Cone {
   std::int64_t farthest2_ = 0;
   Vector left_;
   Vector right_;
-  bool bounded_ = false;
+  bool bounded_ = false;  ///< the sides are set
+  bool single_ = false;   ///< and are one direction
 };
 
 }  // namespace unstep::reverse

@@ -17,6 +17,10 @@ namespace unstep::reverse {
 /// the last is the same point, index i + size().
 using LineVertices = std::vector<LineVertex>;
 
+/// Closed chains of so few steps, most of them dust, keep every corner: their
+/// ink stays as it is.
+inline constexpr std::size_t kSpeckSteps = 8;
+
 /// One pass, vertices on points of the chain: from each vertex the farthest
 /// point to which the cone allows a line. Time O(steps).
 LineVertices fit_lines(const ChainWalk& chain, PathTolerance tolerance);

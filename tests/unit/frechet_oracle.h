@@ -40,8 +40,7 @@ inline Reach within(const Place& from, const Place& to, const Place& of,
   const long double rest = e * e - off * off / length2;
   if (rest < 0) return {};
   const long double half = std::sqrt(rest / length2);
-  const Reach reach{std::max(0.0L, along - half),
-                    std::min(1.0L, along + half)};
+  const Reach reach{std::max(0.0L, along - half), std::min(1.0L, along + half)};
   return reach;
 }
 
@@ -90,10 +89,8 @@ inline bool frechet_within(Polyline chain, Polyline path, long double e) {
       if (next < left.size() && left[next].edge == i) {
         side = left[next++].reach;
       }
-      const Reach free_right =
-          within(chain[i], chain[i + 1], path[j + 1], e);
-      const Reach free_top =
-          within(path[j], path[j + 1], chain[i + 1], e);
+      const Reach free_right = within(chain[i], chain[i + 1], path[j + 1], e);
+      const Reach free_top = within(path[j], path[j + 1], chain[i + 1], e);
       const Reach to_right =
           bottom.empty() ? not_before(free_right, side) : free_right;
       const Reach to_top =
