@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "reverse/chain_check.h"
 #include "reverse/chain_walk.h"
+#include "reverse/refine.h"
 #include "reverse/tolerance_lines.h"
 #include "reverse/tolerance_optimum.h"
 #include "unstep/reverse.h"
@@ -42,6 +45,24 @@ LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options) {
              : reverse::fit_lines(chain, tolerance);
 }
 
+/// Lines of the chains, which are valid; at a tolerance of at most 1 such that
+/// they do not cross where the chains do not.
+std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
+                                  const ToleranceOptions& options,
+                                  ToleranceReport& report) {
+  std::vector<LineVertices> lines;
+  lines.reserve(chains.size());
+  for (const ChainWalk& chain : chains) {
+    lines.push_back(fit(chain, options));
+    lines.back().shrink_to_fit();
+  }
+  if (options.tolerance.numerator <= options.tolerance.denominator) {
+    report.refined = reverse::refine_crossings(
+        chains, in_path_units(options.tolerance), lines);
+  }
+  return lines;
+}
+
 Path path_of(const LineVertices& vertices, bool closed) {
   Path path;
   path.origin = vertices.front().at;
@@ -73,7 +94,8 @@ Result<Path> reverse_tolerance(const Chain& chain, YAxis axis,
   const std::int32_t scale = path_scale(options.tolerance);
   if (Status s = reverse::check_chain(chain, axis, scale); !s) return s.error();
   const ChainWalk walk(chain, axis, scale);
-  return path_of(fit(walk, options), chain.closed);
+  ToleranceReport report;
+  return path_of(fit_all({&walk, 1}, options, report).front(), chain.closed);
 }
 
 Result<Drawing> reverse_tolerance(const Drawing& drawing,
@@ -87,18 +109,24 @@ Result<Drawing> reverse_tolerance(const Drawing& drawing,
   Drawing result;
   result.canvas = drawing.canvas;
   result.scale = path_scale(options.tolerance);
-  result.paths.reserve(drawing.chains.size());
-  ToleranceReport done;
+  const YAxis axis = drawing.canvas.y_axis;
+  std::vector<ChainWalk> walks;
+  walks.reserve(drawing.chains.size());
   for (const Chain& chain : drawing.chains) {
-    Result<Path> path =
-        reverse_tolerance(chain, drawing.canvas.y_axis, options);
-    if (!path) {
-      return Error{path.error().code, "chain " +
-                                          std::to_string(result.paths.size()) +
-                                          ": " + path.error().message};
+    const Status valid = reverse::check_chain(chain, axis, result.scale);
+    if (!valid) {
+      return Error{valid.error().code, "chain " + std::to_string(walks.size()) +
+                                           ": " + valid.error().message};
     }
-    done.segments += path->elements.size();
-    result.paths.push_back(*std::move(path));
+    walks.emplace_back(chain, axis, result.scale);
+  }
+  ToleranceReport done;
+  std::vector<LineVertices> lines = fit_all(walks, options, done);
+  result.paths.reserve(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    done.segments += lines[i].size() - 1;
+    result.paths.push_back(path_of(lines[i], walks[i].closed()));
+    lines[i] = {};
   }
   if (report != nullptr) *report = done;
   return result;
