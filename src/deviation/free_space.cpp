@@ -45,6 +45,7 @@ bool Front::start(Vector64 vertex) {
     chain.seek(i + 1);
     if (!bound.within(chain.at(), vertex)) return true;
   }
+  last = true;
   return true;
 }
 
