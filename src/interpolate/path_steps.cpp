@@ -85,7 +85,9 @@ class PathStepper {
     if (!grid_centre) return grid_centre.error();
     if (!grid_end) return grid_end.error();
     const bool full = arc.end == Point{};
-    Arc on_grid{minus(*grid_centre), minus(*grid_end), arc.clockwise};
+    // The interpolator's y is up, so a y that grows downwards is mirrored.
+    const Arc on_grid{minus(*grid_centre), minus(*grid_end),
+                      arc.clockwise == up_};
     InterpolatorOptions options;
     options.combined = lines_ == Method::evaluation8;
     const bool vanished = !full && on_grid.end == Point{};
@@ -120,8 +122,7 @@ class PathStepper {
     const double radius = std::hypot(at_.x - centre.x, at_.y - centre.y);
     const double first = std::atan2(at_.y - centre.y, at_.x - centre.x);
     const double last = std::atan2(end.y - centre.y, end.x - centre.x);
-    // Clockwise as seen lowers the angle if y is up and raises it if down.
-    const double sense = clockwise == up_ ? -1.0 : 1.0;
+    const double sense = clockwise ? -1.0 : 1.0;
     double turn = std::fmod(sense * (last - first) + 4 * std::numbers::pi,
                             2 * std::numbers::pi);
     if (full || turn == 0) turn = 2 * std::numbers::pi;

@@ -47,10 +47,10 @@ TEST(StepPaths, LinesEndOnTheVerticesWhateverTheAxis) {
   }
 }
 
-TEST(StepPaths, AClockwiseQuarterTurnsAsSeenOnTheCanvas) {
-  // From (10, 0) about (0, 0), clockwise: with y down to (0, 10), below.
+TEST(StepPaths, AQuarterTurnsByItsNumbersWhateverTheAxis) {
+  // From (10, 0) about (0, 0) to (0, 10): the angle of the numbers grows.
   const Drawing down =
-      drawing_of({{10, 0}, false, 0, {arc({-10, 0}, {-10, 10}, true)}});
+      drawing_of({{10, 0}, false, 0, {arc({-10, 0}, {-10, 10}, false)}});
   const Result<Drawing> steps = step_paths(down, {});
   ASSERT_TRUE(steps);
   EXPECT_EQ(end_of(steps->chains[0], YAxis::down), (Point{0, 10}));

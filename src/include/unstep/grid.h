@@ -79,7 +79,18 @@ struct DigitalSegment {
 };
 
 /// A circular arc of a path, from the current point. `centre` and `end` are
-/// relative to the current point; end == (0,0) is a full circle.
+/// relative to the current point; end == (0,0) is a full circle, whose radius
+/// is |centre|.
+///
+/// The curve of any other arc is on the circle through its start and its end
+/// whose centre is the point nearest to `centre` on the line that halves the
+/// chord at right angles. Whatever whole numbers `centre` has, the end is so on
+/// the circle, exactly, and SVG's A, the bulge of DXF and G2/G3 by radius say
+/// the same. With n = (-end.y, end.x) the true centre is
+/// end / 2 + n (centre . n) / |end|^2.
+///
+/// `clockwise` is meant for y up, whatever the drawing's axis: the angle about
+/// the centre, atan2(y, x) of the numbers, falls along the arc.
 struct Arc {
   Point centre;
   Point end;
