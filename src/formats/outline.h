@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+
+#include "formats/format_writer.h"
+
+/// Paths and chains as the writers take them.
+namespace unstep {
+
+/// `flip`: y changes its sign, and then `height` is added to places.
+struct Frame {
+  bool flip = false;
+  std::int64_t height = 0;
+};
+
+/// out_of_range if a point is not within kMaxCoord or the width is negative,
+/// invalid_argument if a closed path does not return or an arc has no radius.
+Status check_path(const Path& path);
+
+/// out_of_range or invalid_argument, likewise.
+Status check_chain(const Chain& chain, YAxis axis);
+
+/// REQUIRES: check_path(path).
+void to_outline(const Path& path, const Frame& frame, Outline& outline);
+
+/// Runs of equal steps become one segment. REQUIRES: check_chain(chain).
+void to_outline(const Chain& chain, YAxis axis, std::int32_t scale,
+                const Frame& frame, Outline& outline);
+
+/// Makes the box hold what is drawn, the pen's width aside.
+void extend(WideBox& box, const Outline& outline);
+
+/// Whether an arc turns by more than half a circle. REQUIRES: is_arc.
+[[nodiscard]] bool is_large(const Piece& arc);
+
+/// The circle through both ends whose centre, on the line that halves the
+/// chord, is nearest to the stored one. REQUIRES: is_arc, not a full circle.
+struct ArcCircle {
+  double x = 0;  ///< of the centre, relative to the start
+  double y = 0;
+  double radius = 0;
+};
+[[nodiscard]] ArcCircle circle_of(const Piece& arc);
+
+}  // namespace unstep
