@@ -1,65 +1,28 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "formats/outline.h"
 #include "unstep/formats.h"
 
 /// What the writers of the vector formats share. VectorWriter has checked the
 /// order of the calls and every path before a FormatWriter sees them.
 namespace unstep {
 
-/// A place or a move in path units. A chain's coordinates times the scale are
-/// below 2^30 * 2^20, so nothing here comes near the end of int64.
-struct WidePoint {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-  friend bool operator==(const WidePoint&, const WidePoint&) = default;
-  friend WidePoint operator+(WidePoint a, WidePoint b) {
-    return {a.x + b.x, a.y + b.y};
-  }
-  friend WidePoint operator-(WidePoint a, WidePoint b) {
-    return {a.x - b.x, a.y - b.y};
-  }
-};
-
-/// A smallest box around what is drawn.
-struct WideBox {
-  WidePoint low;
-  WidePoint high;
-};
-
-/// A segment or an arc as a move in the y direction of the format.
-struct Piece {
-  bool is_arc = false;
-  WidePoint end;
-  WidePoint centre;        ///< arcs
-  bool ascending = false;  ///< arcs: angle grows from +x to +y
-  [[nodiscard]] bool is_circle() const { return is_arc && end == WidePoint{}; }
-};
-
-/// A path in path units and the y direction of the format.
-struct Outline {
-  WidePoint origin;
-  bool closed = false;
-  std::int64_t width = 0;
-  std::vector<Piece> pieces;
-};
-
-/// The page of a format whose y grows to `axis`.
+/// A page as it begins.
 struct PageHead {
   Canvas canvas;
   std::int32_t scale = 1;
   Paint paint = Paint::fill;
   PageInfo info;
-  /// What is drawn, if the canvas has no size and it is known, in path units
-  /// and the y direction of the format; else the canvas.
-  WideBox box;
-  bool has_box = false;  ///< false: unbounded, and not known beforehand
+  /// The canvas or, if it has no size, what is drawn, in path units. Nothing if
+  /// that is not known beforehand.
+  std::optional<WideBox> box;
 };
 
 /// The bytes on their way to the sink, and the notes.
@@ -85,18 +48,23 @@ class VectorOutput {
   std::vector<std::string> notes_;
 };
 
-/// One format. y_axis() says which way its y grows.
+/// One format. Paths and chains are valid; chains and paths come in order.
 class FormatWriter {
  public:
   virtual ~FormatWriter() = default;
-  [[nodiscard]] virtual YAxis y_axis() const { return YAxis::up; }
   virtual Status begin_page(const PageHead& head) = 0;
-  virtual Status add(const Outline& outline) = 0;
+  virtual Status add(const Path& path) = 0;
+  virtual Status add(const Chain& chain) = 0;
   virtual Status end_page() = 0;
   virtual Status finish() = 0;
 };
 
 using WriterFactory = std::unique_ptr<FormatWriter> (*)(VectorOutput& output);
 std::unique_ptr<FormatWriter> make_svg_writer(VectorOutput& output);
+std::unique_ptr<FormatWriter> make_dxf_writer(VectorOutput& output);
+std::unique_ptr<FormatWriter> make_hpgl_writer(VectorOutput& output);
+std::unique_ptr<FormatWriter> make_pdf_writer(VectorOutput& output);
+std::unique_ptr<FormatWriter> make_json_writer(VectorOutput& output);
+std::unique_ptr<FormatWriter> make_freeman_writer(VectorOutput& output);
 
 }  // namespace unstep

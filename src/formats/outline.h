@@ -1,11 +1,50 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
-#include "formats/format_writer.h"
+#include "unstep/grid.h"
+#include "unstep/result.h"
 
 /// Paths and chains as the writers take them.
 namespace unstep {
+
+/// A place or a move in path units. A chain's coordinates times the scale are
+/// below 2^30 * 2^20, so nothing here comes near the end of int64.
+struct WidePoint {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  friend bool operator==(const WidePoint&, const WidePoint&) = default;
+  friend WidePoint operator+(WidePoint a, WidePoint b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  friend WidePoint operator-(WidePoint a, WidePoint b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+};
+
+/// A smallest box around what is drawn.
+struct WideBox {
+  WidePoint low;
+  WidePoint high;
+};
+
+/// A segment or an arc as a move in the y direction of the format.
+struct Piece {
+  bool is_arc = false;
+  WidePoint end;
+  WidePoint centre;        ///< arcs
+  bool ascending = false;  ///< arcs: angle grows from +x to +y
+  [[nodiscard]] bool is_circle() const { return is_arc && end == WidePoint{}; }
+};
+
+/// A path in path units and the y direction of the format.
+struct Outline {
+  WidePoint origin;
+  bool closed = false;
+  std::int64_t width = 0;
+  std::vector<Piece> pieces;
+};
 
 /// `flip`: y changes its sign, and then `height` is added to places.
 struct Frame {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "formats/decimal.h"
-#include "formats/format_writer.h"
+#include "formats/outline_writer.h"
 #include "formats/resolution.h"
 #include "formats/svg_path_data.h"
 #include "formats/xml_text.h"
@@ -32,13 +32,13 @@ double value(const Rational& rational) {
   return static_cast<double>(rational.numerator) / rational.denominator;
 }
 
-class SvgWriter : public FormatWriter {
+class SvgWriter : public OutlineWriter {
  public:
-  explicit SvgWriter(VectorOutput& output) : output_(output) {}
+  explicit SvgWriter(VectorOutput& output)
+      : OutlineWriter(YAxis::down), output_(output) {}
 
-  [[nodiscard]] YAxis y_axis() const override { return YAxis::down; }
-  Status begin_page(const PageHead& head) override;
-  Status add(const Outline& outline) override;
+  Status begin(const PageHead& head) override;
+  Status draw(const Outline& outline) override;
   Status end_page() override;
   Status finish() override;
 
@@ -67,7 +67,7 @@ class SvgWriter : public FormatWriter {
   std::int64_t stroke_width_ = 0;
 };
 
-Status SvgWriter::begin_page(const PageHead& head) {
+Status SvgWriter::begin(const PageHead& head) {
   if (had_page_) {
     return Error{ErrorCode::invalid_argument,
                  "SVG has one page; write a file for each"};
@@ -89,11 +89,11 @@ Status SvgWriter::begin_page(const PageHead& head) {
 
 void SvgWriter::write_size(const PageHead& head) {
   std::string& text = output_.text;
-  if (!head.has_box) {
+  if (!head.box) {
     output_.note("the canvas has no size: neither has the SVG");
     return;
   }
-  const WidePoint size = head.box.high - head.box.low;
+  const WidePoint size = head.box->high - head.box->low;
   const double width = static_cast<double>(size.x) / head.scale;
   const double height = static_cast<double>(size.y) / head.scale;
   const Resolution& resolution = head.info.resolution;
@@ -117,9 +117,9 @@ void SvgWriter::write_size(const PageHead& head) {
     if (!square) text += " preserveAspectRatio=\"none\"";
   }
   text += " viewBox=\"";
-  append_ratio(text, head.box.low.x, head.scale);
+  append_ratio(text, head.box->low.x, head.scale);
   text += ' ';
-  append_ratio(text, head.box.low.y, head.scale);
+  append_ratio(text, head.box->low.y, head.scale);
   text += ' ';
   append_ratio(text, size.x, head.scale);
   text += ' ';
@@ -201,7 +201,7 @@ void SvgWriter::add_open_path(const Outline& outline) {
   stroke_data_->add(outline, strokes_);
 }
 
-Status SvgWriter::add(const Outline& outline) {
+Status SvgWriter::draw(const Outline& outline) {
   const bool fill = paint_ == Paint::fill;
   if (fill && !outline.closed) {
     add_open_path(outline);

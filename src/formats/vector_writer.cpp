@@ -1,5 +1,6 @@
 #include <limits>
-#include <new>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -9,13 +10,40 @@
 namespace unstep {
 namespace {
 
-constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
-
 WriterFactory factory_of(VectorFormat format) {
   switch (format) {
     case VectorFormat::svg: return make_svg_writer;
-    default: return nullptr;
+    case VectorFormat::dxf: return nullptr;
+    case VectorFormat::hpgl: return nullptr;
+    case VectorFormat::pdf: return nullptr;
+    case VectorFormat::json: return make_json_writer;
+    case VectorFormat::freeman: return make_freeman_writer;
   }
+  return nullptr;
+}
+
+bool has_size(const Canvas& canvas) {
+  return canvas.width > 0 && canvas.height > 0;
+}
+
+/// What is drawn.
+Result<WideBox> box_of(const Drawing& drawing) {
+  constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
+  WideBox box{{kFar, kFar}, {-kFar, -kFar}};
+  Outline outline;
+  const YAxis axis = drawing.canvas.y_axis;
+  for (const Chain& chain : drawing.chains) {
+    if (Status valid = check_chain(chain, axis); !valid) return valid.error();
+    to_outline(chain, axis, drawing.scale, {}, outline);
+    extend(box, outline);
+  }
+  for (const Path& path : drawing.paths) {
+    if (Status valid = check_path(path); !valid) return valid.error();
+    to_outline(path, {}, outline);
+    extend(box, outline);
+  }
+  if (box.low.x > box.high.x) return WideBox{};
+  return box;
 }
 
 Error misuse(const char* message) {
@@ -47,20 +75,10 @@ struct VectorWriter::Impl {
   bool in_page = false;
   bool failed = false;
   YAxis axis = YAxis::down;  ///< of the page's drawing
-  std::int32_t scale = 1;
-  Frame frame;
-  Outline outline;  ///< reused
 
-  [[nodiscard]] Frame frame_for(const Canvas& canvas,
-                                std::int32_t page_scale) const {
-    const bool flip = canvas.y_axis != writer->y_axis();
-    return {flip, flip ? std::int64_t{canvas.height} * page_scale : 0};
-  }
-  Status begin(const Canvas& canvas, std::int32_t page_scale, Paint paint,
-               const PageInfo& info, const WideBox* box);
-  Status add_outline();
+  Status begin(const Canvas& canvas, std::int32_t scale, Paint paint,
+               const PageInfo& info, std::optional<WideBox> box);
   Status after(Status status);
-  [[nodiscard]] Status box_of(const Drawing& drawing, WideBox& box);
 };
 
 /// Keeps that a call failed: what follows would not be a file.
@@ -69,11 +87,11 @@ Status VectorWriter::Impl::after(Status status) {
   return status;
 }
 
-Status VectorWriter::Impl::begin(const Canvas& canvas, std::int32_t page_scale,
+Status VectorWriter::Impl::begin(const Canvas& canvas, std::int32_t scale,
                                  Paint paint, const PageInfo& info,
-                                 const WideBox* box) {
+                                 std::optional<WideBox> box) {
   if (failed || in_page) return misuse("a page begun out of order");
-  if (page_scale < 1 || page_scale > Drawing::kMaxScale) {
+  if (scale < 1 || scale > Drawing::kMaxScale) {
     return Error{ErrorCode::out_of_range, "a scale outside 1 to 1048576"};
   }
   if (canvas.width < 0 || canvas.height < 0 || canvas.width > kMaxCoord ||
@@ -82,44 +100,12 @@ Status VectorWriter::Impl::begin(const Canvas& canvas, std::int32_t page_scale,
   }
   in_page = true;
   axis = canvas.y_axis;
-  scale = page_scale;
-  frame = frame_for(canvas, page_scale);
-  PageHead head{canvas, page_scale, paint, info, {}, true};
-  if (canvas.width > 0 && canvas.height > 0) {
-    head.box = {{0, 0},
-                {std::int64_t{canvas.width} * page_scale,
-                 std::int64_t{canvas.height} * page_scale}};
-  } else if (box != nullptr) {
-    head.box = *box;
-  } else {
-    head.has_box = false;
+  if (has_size(canvas)) {
+    box = WideBox{{0, 0},
+                  {std::int64_t{canvas.width} * scale,
+                   std::int64_t{canvas.height} * scale}};
   }
-  return writer->begin_page(head);
-}
-
-Status VectorWriter::Impl::add_outline() {
-  if (Status added = writer->add(outline); !added) return added;
-  return output.flush_if_full();
-}
-
-/// What is drawn on a canvas without size.
-Status VectorWriter::Impl::box_of(const Drawing& drawing, WideBox& box) {
-  const Frame flipped = frame_for(drawing.canvas, drawing.scale);
-  box = {{kFar, kFar}, {-kFar, -kFar}};
-  for (const Chain& chain : drawing.chains) {
-    if (Status valid = check_chain(chain, drawing.canvas.y_axis); !valid) {
-      return valid;
-    }
-    to_outline(chain, drawing.canvas.y_axis, drawing.scale, flipped, outline);
-    extend(box, outline);
-  }
-  for (const Path& path : drawing.paths) {
-    if (Status valid = check_path(path); !valid) return valid;
-    to_outline(path, flipped, outline);
-    extend(box, outline);
-  }
-  if (box.low.x > box.high.x) box = {};
-  return {};
+  return writer->begin_page({canvas, scale, paint, info, box});
 }
 
 Result<VectorWriter> VectorWriter::create(VectorFormat format, ByteSink sink) {
@@ -140,23 +126,23 @@ VectorWriter& VectorWriter::operator=(VectorWriter&&) noexcept = default;
 
 Status VectorWriter::begin_page(const Canvas& canvas, std::int32_t scale,
                                 Paint paint, const PageInfo& info) {
-  return impl_->after(impl_->begin(canvas, scale, paint, info, nullptr));
+  return impl_->after(impl_->begin(canvas, scale, paint, info, {}));
 }
 
 Status VectorWriter::add(const Path& path) {
   if (impl_->failed || !impl_->in_page) return misuse("a path outside a page");
-  if (Status valid = check_path(path); !valid) return impl_->after(valid);
-  to_outline(path, impl_->frame, impl_->outline);
-  return impl_->after(impl_->add_outline());
+  Status done = check_path(path);
+  if (done) done = impl_->writer->add(path);
+  if (done) done = impl_->output.flush_if_full();
+  return impl_->after(done);
 }
 
 Status VectorWriter::add(const Chain& chain) {
   if (impl_->failed || !impl_->in_page) return misuse("a chain outside a page");
-  if (Status valid = check_chain(chain, impl_->axis); !valid) {
-    return impl_->after(valid);
-  }
-  to_outline(chain, impl_->axis, impl_->scale, impl_->frame, impl_->outline);
-  return impl_->after(impl_->add_outline());
+  Status done = check_chain(chain, impl_->axis);
+  if (done) done = impl_->writer->add(chain);
+  if (done) done = impl_->output.flush_if_full();
+  return impl_->after(done);
 }
 
 Status VectorWriter::end_page() {
@@ -174,16 +160,14 @@ Status VectorWriter::finish() {
 }
 
 Status VectorWriter::add_page(const Drawing& drawing, const PageInfo& info) {
-  const Canvas& canvas = drawing.canvas;
-  WideBox box;
-  const bool unbounded = canvas.width == 0 || canvas.height == 0;
-  if (unbounded) {
-    if (Status known = impl_->box_of(drawing, box); !known) {
-      return impl_->after(known);
-    }
+  std::optional<WideBox> box;
+  if (!has_size(drawing.canvas)) {
+    const Result<WideBox> drawn = box_of(drawing);
+    if (!drawn) return impl_->after(drawn.error());
+    box = *drawn;
   }
-  Status done = impl_->after(impl_->begin(canvas, drawing.scale, drawing.paint,
-                                          info, unbounded ? &box : nullptr));
+  Status done = impl_->after(
+      impl_->begin(drawing.canvas, drawing.scale, drawing.paint, info, box));
   if (!done) return done;
   for (const Chain& chain : drawing.chains) {
     if (Status added = add(chain); !added) return added;
