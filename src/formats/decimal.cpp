@@ -85,10 +85,15 @@ void append_real(std::string& text, double value, int digits) {
   }
   const auto magnitude =
       static_cast<int>(std::floor(std::log10(std::fabs(value))));
-  const int decimals = std::max(0, std::min(digits - 1 - magnitude, 40));
+  append_fixed(text, value, digits - 1 - magnitude);
+}
+
+void append_fixed(std::string& text, double value, int decimals) {
   std::array<char, 80> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
-                                 value, std::chars_format::fixed, decimals);
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+                    std::isfinite(value) ? value : 0.0,
+                    std::chars_format::fixed, std::clamp(decimals, 0, 40));
   const std::size_t begin = text.size();
   text.append(buffer.data(), end.ptr);
   trim(text, begin);

@@ -29,6 +29,9 @@ void append_integer(std::string& text, std::int64_t value);
 /// trailing zeros and without an exponent. REQUIRES: |value| < 1e16.
 void append_real(std::string& text, double value, int digits);
 
+/// Appends the number with that many decimals at most, likewise.
+void append_fixed(std::string& text, double value, int decimals);
+
 /// The shortest text that reads as the same double.
 void append_shortest(std::string& text, double value);
 

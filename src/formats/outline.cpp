@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace unstep {
@@ -129,12 +130,43 @@ bool is_large(const Piece& arc) {
 }
 
 ArcCircle circle_of(const Piece& arc) {
+  if (arc.is_circle()) {
+    const auto x = static_cast<double>(arc.centre.x);
+    const auto y = static_cast<double>(arc.centre.y);
+    return {x, y, std::hypot(x, y)};
+  }
   const auto ex = static_cast<double>(arc.end.x);
   const auto ey = static_cast<double>(arc.end.y);
   const double chord2 = ex * ex + ey * ey;
   const double height = cross(arc.end, arc.centre) / chord2;
   return {ex / 2 - height * ey, ey / 2 + height * ex,
           std::sqrt(chord2 * (0.25 + height * height))};
+}
+
+void flatten(const Piece& arc, double limit,
+             const std::function<void(double x, double y)>& visit) {
+  const ArcCircle circle = circle_of(arc);
+  const double sweep = sweep_of(arc);
+  // The sagitta of a chord is radius (1 - cos(turn / 2)).
+  const double cosine = std::max(0.5, 1 - limit / circle.radius);
+  const auto count =
+      static_cast<int>(std::ceil(sweep / (2 * std::acos(cosine))));
+  const double turn = (arc.ascending ? sweep : -sweep) / count;
+  const double begin = std::atan2(-circle.y, -circle.x);
+  for (int i = 1; i < count; ++i) {
+    const double angle = begin + turn * i;
+    visit(circle.x + circle.radius * std::cos(angle),
+          circle.y + circle.radius * std::sin(angle));
+  }
+  visit(static_cast<double>(arc.end.x), static_cast<double>(arc.end.y));
+}
+
+double sweep_of(const Piece& arc) {
+  if (arc.is_circle()) return 2 * std::numbers::pi;
+  const double chord = std::hypot(static_cast<double>(arc.end.x),
+                                  static_cast<double>(arc.end.y));
+  const double side = cross(arc.end, arc.centre) / chord;
+  return 2 * std::atan2(chord / 2, arc.ascending ? side : -side);
 }
 
 void extend(WideBox& box, const Outline& outline) {

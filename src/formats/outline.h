@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "unstep/grid.h"
@@ -73,12 +74,22 @@ void extend(WideBox& box, const Outline& outline);
 [[nodiscard]] bool is_large(const Piece& arc);
 
 /// The circle through both ends whose centre, on the line that halves the
-/// chord, is nearest to the stored one. REQUIRES: is_arc, not a full circle.
+/// chord, is nearest to the stored one; full circles as stored. REQUIRES:
+/// is_arc.
 struct ArcCircle {
   double x = 0;  ///< of the centre, relative to the start
   double y = 0;
   double radius = 0;
 };
 [[nodiscard]] ArcCircle circle_of(const Piece& arc);
+
+/// Calls visit(x, y) with points of an arc, relative to its start, the end
+/// last: the lines between them are at most `limit` path units from the arc.
+/// REQUIRES: is_arc, limit > 0.
+void flatten(const Piece& arc, double limit,
+             const std::function<void(double x, double y)>& visit);
+
+/// The angle that an arc turns by, above 0, at most 2 pi. REQUIRES: is_arc.
+[[nodiscard]] double sweep_of(const Piece& arc);
 
 }  // namespace unstep

@@ -13,9 +13,9 @@ namespace {
 WriterFactory factory_of(VectorFormat format) {
   switch (format) {
     case VectorFormat::svg: return make_svg_writer;
-    case VectorFormat::dxf: return nullptr;
-    case VectorFormat::hpgl: return nullptr;
-    case VectorFormat::pdf: return nullptr;
+    case VectorFormat::dxf: return make_dxf_writer;
+    case VectorFormat::hpgl: return make_hpgl_writer;
+    case VectorFormat::pdf: return make_pdf_writer;
     case VectorFormat::json: return make_json_writer;
     case VectorFormat::freeman: return make_freeman_writer;
   }
