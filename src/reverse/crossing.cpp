@@ -1,0 +1,325 @@
+#include "reverse/crossing.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace unstep::reverse {
+namespace {
+
+/// Twice the signed area of the triangle: > 0 if c is left of a -> b.
+std::int64_t orientation(Point a, Point b, Point c) {
+  return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
+         (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
+}
+
+/// Sign of the same; the product of signs never overflows.
+int side(Point a, Point b, Point c) {
+  const std::int64_t o = orientation(a, b, c);
+  return (o > 0) - (o < 0);
+}
+
+bool same_direction(Point at, Point a, Point b) {
+  return side(at, a, b) == 0 &&
+         (std::int64_t{a.x} - at.x) * (std::int64_t{b.x} - at.x) +
+                 (std::int64_t{a.y} - at.y) * (std::int64_t{b.y} - at.y) >
+             0;
+}
+
+/// True if `c` is inside the turn counter-clockwise from `from` to `to`, all
+/// seen from `at`. REQUIRES: no two in the same direction.
+bool in_sector(Point at, Point from, Point to, Point c) {
+  const bool left_of_from = side(at, from, c) > 0;
+  const bool right_of_to = side(at, to, c) < 0;
+  switch (side(at, from, to)) {
+    case 1: return left_of_from && right_of_to;  // less than half a turn
+    case 0: return left_of_from;
+    default: return left_of_from || right_of_to;
+  }
+}
+
+struct SweepLine {
+  Point a;
+  Point b;
+  std::int32_t low_x;
+  std::int32_t high_x;
+  std::int32_t low_y;
+  std::int32_t high_y;
+  LineId id;
+};
+
+bool on_line(const SweepLine& line, Point at) {
+  return side(line.a, line.b, at) == 0 && line.low_x <= at.x &&
+         at.x <= line.high_x && line.low_y <= at.y && at.y <= line.high_y;
+}
+
+/// Square cells over all paths, not many more than there are lines.
+struct Grid {
+  std::int64_t low_x = 0;
+  std::int64_t low_y = 0;
+  std::int64_t high_x = 0;
+  std::int64_t cell = 1;
+  std::int64_t columns = 1;
+  std::int64_t rows = 1;
+
+  [[nodiscard]] std::int64_t column(std::int64_t x) const {
+    return (x - low_x) / cell;
+  }
+  [[nodiscard]] std::int64_t row(std::int64_t y) const {
+    return (y - low_y) / cell;
+  }
+  [[nodiscard]] std::int64_t end_of_row(std::int64_t row) const {
+    return low_y + (row + 1) * cell;
+  }
+
+  static Grid around(std::span<const LineVertices> paths, std::int64_t cell) {
+    Grid grid{kMaxCoord, kMaxCoord, -kMaxCoord, cell, 1, 1};
+    std::int64_t high_y = -kMaxCoord;
+    std::int64_t vertices = 0;
+    for (const LineVertices& path : paths) {
+      vertices += static_cast<std::int64_t>(path.size());
+      for (const LineVertex& vertex : path) {
+        grid.low_x = std::min<std::int64_t>(grid.low_x, vertex.at.x);
+        grid.high_x = std::max<std::int64_t>(grid.high_x, vertex.at.x);
+        grid.low_y = std::min<std::int64_t>(grid.low_y, vertex.at.y);
+        high_y = std::max<std::int64_t>(high_y, vertex.at.y);
+      }
+    }
+    if (vertices == 0) return {};
+    for (;; grid.cell *= 2) {
+      grid.columns = grid.column(grid.high_x) + 1;
+      grid.rows = grid.row(high_y) + 1;
+      if (grid.columns <= 4 * vertices / grid.rows + 1) return grid;
+    }
+  }
+};
+
+class CrossingFinder {
+ public:
+  CrossingFinder(std::span<const LineVertices> paths,
+                 const std::vector<bool>& closed)
+      : paths_(paths), closed_(closed) {}
+
+  std::vector<CrossingPair> run(std::span<const RowRange> rows,
+                                std::int64_t cell_size);
+
+ private:
+  [[nodiscard]] Point start(LineId id) const {
+    return paths_[id.path][id.line].at;
+  }
+  [[nodiscard]] Point end(LineId id) const {
+    return paths_[id.path][id.line + 1].at;
+  }
+  [[nodiscard]] std::uint32_t lines(std::uint32_t path) const {
+    return static_cast<std::uint32_t>(paths_[path].size() - 1);
+  }
+
+  [[nodiscard]] bool consecutive(LineId a, LineId b) const {
+    if (a.path != b.path) return false;
+    const std::uint32_t apart =
+        a.line > b.line ? a.line - b.line : b.line - a.line;
+    return apart <= 1 || (closed_[a.path] && apart + 1 == lines(a.path));
+  }
+
+  /// The vertex before a line's start or after its end; none at an open end.
+  [[nodiscard]] std::optional<Point> beyond(LineId id, bool after) const {
+    const LineVertices& path = paths_[id.path];
+    if (after) {
+      if (id.line + 2 < path.size()) return path[id.line + 2].at;
+      if (closed_[id.path]) return path[1].at;
+    } else {
+      if (id.line > 0) return path[id.line - 1].at;
+      if (closed_[id.path]) return path[path.size() - 2].at;
+    }
+    return std::nullopt;
+  }
+
+  struct Passage {
+    Point in;
+    Point out;
+  };
+  /// How a path passes through a point of one of its lines.
+  [[nodiscard]] std::optional<Passage> passage(LineId id, Point at) const {
+    const Point a = start(id);
+    const Point b = end(id);
+    if (at == a) {
+      const std::optional<Point> before = beyond(id, false);
+      if (!before) return std::nullopt;
+      return Passage{*before, b};
+    }
+    if (at == b) {
+      const std::optional<Point> after = beyond(id, true);
+      if (!after) return std::nullopt;
+      return Passage{a, *after};
+    }
+    return Passage{a, b};
+  }
+
+  [[nodiscard]] bool meet(const SweepLine& p, const SweepLine& q) const;
+  [[nodiscard]] bool cross_at(const SweepLine& p, const SweepLine& q,
+                              Point at) const;
+  void search_cell(std::span<const LineId> ids);
+  void search_sorted();
+  void compare(const SweepLine& p, const SweepLine& q);
+
+  std::span<const LineVertices> paths_;
+  const std::vector<bool>& closed_;
+  std::vector<SweepLine> lines_;
+  std::vector<const SweepLine*> active_;
+  std::vector<CrossingPair> found_;
+};
+
+bool CrossingFinder::cross_at(const SweepLine& p, const SweepLine& q,
+                              Point at) const {
+  const std::optional<Passage> a = passage(p.id, at);
+  const std::optional<Passage> b = passage(q.id, at);
+  return a && b && change_sides(at, a->in, a->out, b->in, b->out);
+}
+
+bool CrossingFinder::meet(const SweepLine& p, const SweepLine& q) const {
+  const int pa = side(q.a, q.b, p.a);
+  const int pb = side(q.a, q.b, p.b);
+  if (pa * pb > 0) return false;
+  const int qa = side(p.a, p.b, q.a);
+  const int qb = side(p.a, p.b, q.b);
+  if (qa * qb > 0) return false;
+  if (pa * pb < 0 && qa * qb < 0) return true;
+  if (pa == 0 && pb == 0) {
+    // On one line: along the axis in which it is longer they overlap by more
+    // than a point or not.
+    const bool by_x = p.a.x != p.b.x;
+    const auto key = [by_x](Point point) { return by_x ? point.x : point.y; };
+    const auto [p_low, p_high] = std::minmax(key(p.a), key(p.b));
+    const auto [q_low, q_high] = std::minmax(key(q.a), key(q.b));
+    if (std::max(p_low, q_low) < std::min(p_high, q_high)) return true;
+  }
+  // They touch in an end of one of them, if at all.
+  for (const Point at : {q.a, q.b}) {
+    if (on_line(p, at)) return cross_at(p, q, at);
+  }
+  for (const Point at : {p.a, p.b}) {
+    if (on_line(q, at)) return cross_at(p, q, at);
+  }
+  return false;
+}
+
+void CrossingFinder::compare(const SweepLine& p, const SweepLine& q) {
+  if (p.high_x < q.low_x || q.high_x < p.low_x || p.high_y < q.low_y ||
+      q.high_y < p.low_y || consecutive(p.id, q.id)) {
+    return;
+  }
+  if (meet(p, q)) found_.push_back({p.id, q.id});
+}
+
+/// From left to right, each line with those that reach as far.
+void CrossingFinder::search_sorted() {
+  std::sort(
+      lines_.begin(), lines_.end(),
+      [](const SweepLine& p, const SweepLine& q) { return p.low_x < q.low_x; });
+  active_.clear();
+  for (const SweepLine& line : lines_) {
+    std::size_t kept = 0;
+    for (const SweepLine* other : active_) {
+      if (other->high_x < line.low_x) continue;
+      active_[kept++] = other;
+      compare(line, *other);
+    }
+    active_.resize(kept);
+    active_.push_back(&line);
+  }
+}
+
+void CrossingFinder::search_cell(std::span<const LineId> ids) {
+  constexpr std::size_t kFew = 16;
+  lines_.clear();
+  for (const LineId id : ids) {
+    const Point a = start(id);
+    const Point b = end(id);
+    lines_.push_back({a, b, std::min(a.x, b.x), std::max(a.x, b.x),
+                      std::min(a.y, b.y), std::max(a.y, b.y), id});
+  }
+  if (lines_.size() > kFew) return search_sorted();
+  for (std::size_t i = 1; i < lines_.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) compare(lines_[i], lines_[k]);
+  }
+}
+
+/// Calls `visit` for every cell that the line may reach, some beside it too.
+template <class Visit>
+void for_cells(const Grid& grid, Point a, Point b, const Visit& visit) {
+  if (a.y > b.y) std::swap(a, b);
+  const std::int64_t first = grid.row(a.y);
+  const std::int64_t last = grid.row(b.y);
+  const std::int64_t dx = std::int64_t{b.x} - a.x;
+  const std::int64_t dy = std::int64_t{b.y} - a.y;
+  std::int64_t from = a.x;
+  for (std::int64_t row = first; row <= last; ++row) {
+    // Where it leaves the row, to within a unit; dx * (y - a.y) < 2^62.
+    std::int64_t to = b.x;
+    if (row < last) to = a.x + dx * (grid.end_of_row(row) - a.y) / dy;
+    const std::int64_t low = std::max(std::min(from, to) - 1, grid.low_x);
+    const std::int64_t high = std::min(std::max(from, to) + 1, grid.high_x);
+    for (std::int64_t c = grid.column(low); c <= grid.column(high); ++c) {
+      visit(static_cast<std::size_t>(row * grid.columns + c));
+    }
+    from = to;
+  }
+}
+
+bool touches(std::span<const RowRange> rows, Point a, Point b) {
+  const auto [low, high] = std::minmax(a.y, b.y);
+  const auto range = std::lower_bound(
+      rows.begin(), rows.end(), low,
+      [](const RowRange& r, std::int32_t y) { return r.high < y; });
+  return range != rows.end() && range->low <= high;
+}
+
+std::vector<CrossingPair> CrossingFinder::run(std::span<const RowRange> rows,
+                                              std::int64_t cell_size) {
+  const Grid grid = Grid::around(paths_, cell_size);
+  const auto for_entries = [&](const auto& visit) {
+    for (std::uint32_t path = 0; path < paths_.size(); ++path) {
+      for (std::uint32_t line = 0; line < lines(path); ++line) {
+        const LineId id{path, line};
+        if (!touches(rows, start(id), end(id))) continue;
+        for_cells(grid, start(id), end(id),
+                  [&](std::size_t cell) { visit(cell, id); });
+      }
+    }
+  };
+  // A counting sort by cell: `ends[c]` becomes the end of cell c's entries.
+  std::vector<std::size_t> ends(
+      static_cast<std::size_t>(grid.columns * grid.rows) + 1);
+  for_entries([&](std::size_t cell, LineId) { ++ends[cell + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<LineId> entries(ends.back());
+  for_entries([&](std::size_t cell, LineId id) { entries[ends[cell]++] = id; });
+  std::size_t first = 0;
+  for (const std::size_t end : ends) {
+    if (end - first > 1) {
+      search_cell(std::span(entries).subspan(first, end - first));
+    }
+    first = end;
+  }
+  return std::move(found_);
+}
+
+}  // namespace
+
+bool change_sides(Point at, Point a_in, Point a_out, Point b_in, Point b_out) {
+  if (same_direction(at, a_in, a_out) || same_direction(at, b_in, b_out) ||
+      same_direction(at, a_in, b_in) || same_direction(at, a_in, b_out) ||
+      same_direction(at, a_out, b_in) || same_direction(at, a_out, b_out)) {
+    return false;
+  }
+  return in_sector(at, a_out, a_in, b_in) != in_sector(at, a_out, a_in, b_out);
+}
+
+std::vector<CrossingPair> find_crossings(std::span<const LineVertices> paths,
+                                         const std::vector<bool>& closed,
+                                         std::span<const RowRange> rows,
+                                         std::int64_t cell_size) {
+  return CrossingFinder(paths, closed).run(rows, cell_size);
+}
+
+}  // namespace unstep::reverse

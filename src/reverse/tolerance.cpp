@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reverse/chain_check.h"
+#include "reverse/chain_walk.h"
+#include "reverse/refine.h"
+#include "reverse/tolerance_lines.h"
+#include "reverse/tolerance_optimum.h"
+#include "unstep/reverse.h"
+
+namespace unstep {
+namespace {
+
+using reverse::ChainWalk;
+using reverse::LineVertices;
+using reverse::PathTolerance;
+
+/// The tolerance in path units, rounded down to the fraction that the
+/// decisions use. The numerator times the scale is below 2^34, so that
+/// all fits 64 bits.
+PathTolerance in_path_units(const Rational& tolerance) {
+  const auto scale = static_cast<std::uint64_t>(path_scale(tolerance));
+  return {static_cast<std::int64_t>(
+      (tolerance.numerator * scale << PathTolerance::kBits) /
+      tolerance.denominator)};
+}
+
+Status check_tolerance(const Rational& e) {
+  const std::uint64_t n = e.numerator;
+  const std::uint64_t d = e.denominator;
+  if (d != 0 && n * 256 >= d && n <= d << 20) return {};
+  return Error{ErrorCode::out_of_range,
+               "tolerance " + std::to_string(n) + "/" + std::to_string(d) +
+                   " is not within 1/256 and 2^20 grid units"};
+}
+
+LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options) {
+  const PathTolerance tolerance = in_path_units(options.tolerance);
+  return options.effort == Effort::max
+             ? reverse::fit_fewest_lines(chain, tolerance)
+             : reverse::fit_lines(chain, tolerance);
+}
+
+/// Lines of the chains, which are valid; at a tolerance of at most 1 such that
+/// they do not cross where the chains do not.
+std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
+                                  const ToleranceOptions& options,
+                                  ToleranceReport& report) {
+  std::vector<LineVertices> lines;
+  lines.reserve(chains.size());
+  for (const ChainWalk& chain : chains) {
+    lines.push_back(fit(chain, options));
+    lines.back().shrink_to_fit();
+  }
+  if (options.tolerance.numerator <= options.tolerance.denominator) {
+    report.refined = reverse::refine_crossings(
+        chains, in_path_units(options.tolerance), lines);
+  }
+  return lines;
+}
+
+Path path_of(const LineVertices& vertices, bool closed) {
+  Path path;
+  path.origin = vertices.front().at;
+  path.closed = closed;
+  path.elements.resize(vertices.size() - 1);
+  for (std::size_t i = 0; i < path.elements.size(); ++i) {
+    const Point from = vertices[i].at;
+    const Point to = vertices[i + 1].at;
+    path.elements[i].segment = {to.x - from.x, to.y - from.y};
+  }
+  return path;
+}
+
+}  // namespace
+
+std::int32_t path_scale(const Rational& tolerance) {
+  // A disc of the tolerance then holds points of the sub-grid all around.
+  std::uint64_t scale = 1;
+  if (tolerance.numerator >= tolerance.denominator) return 1;
+  while (scale < Drawing::kMaxScale &&
+         tolerance.numerator * scale < 2 * std::uint64_t{tolerance.denominator})
+    scale *= 2;
+  return static_cast<std::int32_t>(scale);
+}
+
+Result<Path> reverse_tolerance(const Chain& chain, YAxis axis,
+                               const ToleranceOptions& options) {
+  if (Status s = check_tolerance(options.tolerance); !s) return s.error();
+  const std::int32_t scale = path_scale(options.tolerance);
+  if (Status s = reverse::check_chain(chain, axis, scale); !s) return s.error();
+  const ChainWalk walk(chain, axis, scale);
+  ToleranceReport report;
+  return path_of(fit_all({&walk, 1}, options, report).front(), chain.closed);
+}
+
+Result<Drawing> reverse_tolerance(const Drawing& drawing,
+                                  const ToleranceOptions& options,
+                                  ToleranceReport* report) {
+  if (Status s = check_tolerance(options.tolerance); !s) return s.error();
+  if (!drawing.paths.empty()) {
+    return Error{ErrorCode::invalid_argument,
+                 "the drawing has paths already, only chains can be reversed"};
+  }
+  Drawing result;
+  result.canvas = drawing.canvas;
+  result.scale = path_scale(options.tolerance);
+  const YAxis axis = drawing.canvas.y_axis;
+  std::vector<ChainWalk> walks;
+  walks.reserve(drawing.chains.size());
+  for (const Chain& chain : drawing.chains) {
+    const Status valid = reverse::check_chain(chain, axis, result.scale);
+    if (!valid) {
+      return Error{valid.error().code, "chain " + std::to_string(walks.size()) +
+                                           ": " + valid.error().message};
+    }
+    walks.emplace_back(chain, axis, result.scale);
+  }
+  ToleranceReport done;
+  std::vector<LineVertices> lines = fit_all(walks, options, done);
+  result.paths.reserve(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    done.segments += lines[i].size() - 1;
+    result.paths.push_back(path_of(lines[i], walks[i].closed()));
+    lines[i] = {};
+  }
+  if (report != nullptr) *report = done;
+  return result;
+}
+
+}  // namespace unstep

@@ -1,0 +1,224 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "unstep/grid.h"
+
+namespace unstep::reverse {
+
+/// The distance allowed, in path units: a multiple of 2^-12.
+/// INVARIANT: 1 <= units() <= 2^20.
+struct PathTolerance {
+  static constexpr int kBits = 12;
+  std::int64_t fixed = std::int64_t{1} << kBits;
+};
+
+/// The directions in which a ray from the apex meets, in their order, all the
+/// discs of radius e around the points that were added. A line along such a
+/// ray has Frechet distance at most e to the chain through these points;
+/// docs/algorithms.md has the proof. In short: a ray that meets the disc around
+/// q, |q| = r > e, has its point at distance t(r) = sqrt(r^2 - e^2) in it (the
+/// power of the apex), so points that do not come nearer to the apex ask for
+/// nothing but that their discs be met. Of a point that comes nearer we ask
+/// that the ray's point at t(the farthest before) lies in its disc.
+///
+/// The cone's sides are integer vectors, rounded inwards: every direction that
+/// is accepted is right, exactly.
+///
+/// Range: points are relative to the apex and |q| <= kReach = 2^24, else they
+/// are refused. A side is q * C + perp(q) * S with C^2 + S^2 <= (2^12 |q|)^2 *
+/// (1 + 2^-10), so its length is below 2^61 and products of two fit 2^122 <
+/// 2^127. While all points have |q| < 2^9 and e < 2^9, sides are shorter than
+/// 2^30.1 and everything fits int64: that is the fast way.
+class Cone {
+ public:
+  static constexpr std::int64_t kReach = std::int64_t{1} << 24;
+
+  explicit Cone(PathTolerance tolerance)
+      : e_(tolerance.fixed),
+        near2_(static_cast<std::int64_t>(square(e_) >> kFraction2)),
+        fast2_(near2_ < kFastReach2 ? kFastReach2 : 0) {}
+
+  /// Forgets the points; the apex is elsewhere.
+  void restart() {
+    farthest2_ = 0;
+    bounded_ = false;
+  }
+
+  /// True if a line from the apex may end at q, the next point of the
+  /// chain or one within e of the last that was added.
+  [[nodiscard]] bool may_end_at(std::int64_t x, std::int64_t y) const {
+    const std::int64_t r2 = x * x + y * y;
+    if (r2 == 0 || r2 > kReach * kReach) return false;
+    if (farthest2_ <= near2_) return true;
+    if (r2 + near2_ < farthest2_) return false;
+    return farthest2_ < fast2_ && r2 < fast2_ ? inside<std::int64_t>(x, y)
+                                              : inside<Wide>(x, y);
+  }
+
+  /// Adds the next point of the chain. False if no direction is left; the cone
+  /// is then spent until restart().
+  [[nodiscard]] bool add(std::int64_t x, std::int64_t y) {
+    const std::int64_t r2 = x * x + y * y;
+    if (r2 >= farthest2_) {
+      if (r2 > kReach * kReach) return false;
+      farthest2_ = r2;
+      if (r2 <= near2_) return true;
+      return r2 < fast2_
+                 ? narrow<std::int64_t>(x, y, opening<std::int64_t>(r2, e_))
+                 : narrow<Wide>(x, y, opening<Wide>(r2, e_));
+    }
+    if (farthest2_ <= near2_) return true;
+    return farthest2_ < fast2_ ? step_back<std::int64_t>(x, y, r2)
+                               : step_back<Wide>(x, y, r2);
+  }
+
+ private:
+  __extension__ using Wide = __int128;
+  static constexpr int kFraction2 = 2 * PathTolerance::kBits;
+  static constexpr std::int64_t kFastReach2 = std::int64_t{1} << 18;
+
+  struct Vector {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+  };
+  /// Adjacent and opposite side of half the angle that a disc leaves.
+  struct Opening {
+    std::int64_t along = 0;
+    std::int64_t across = 0;
+  };
+
+  static Wide square(std::int64_t value) { return Wide{value} * value; }
+
+  template <class Int>
+  static Int cross(Vector a, Vector b) {
+    return static_cast<Int>(a.x) * b.y - static_cast<Int>(a.y) * b.x;
+  }
+
+  template <class Int>
+  static Int dot(Vector a, Vector b) {
+    return static_cast<Int>(a.x) * b.x + static_cast<Int>(a.y) * b.y;
+  }
+
+  /// The least t with t^2 >= value. Below 2^52 a double holds the value, and
+  /// its root rounds to an integer only if that is not above the true one.
+  static std::int64_t root_up(std::int64_t value) {
+    const auto t =
+        static_cast<std::int64_t>(std::sqrt(static_cast<double>(value)));
+    return t + (t * t < value ? 1 : 0);
+  }
+  /// A double's root of a value below 2^74 is off by less than 1.
+  static std::int64_t root_up(Wide value) {
+    auto t = static_cast<std::int64_t>(std::sqrt(static_cast<double>(value)));
+    while (Wide{t} * t < value) ++t;
+    while (t > 0 && Wide{t - 1} * (t - 1) >= value) --t;
+    return t;
+  }
+
+  static std::int64_t root_down(Wide value) {
+    const std::int64_t t = root_up(value);
+    return Wide{t} * t > value ? t - 1 : t;
+  }
+  static std::int64_t root_down(std::int64_t value) {
+    return static_cast<std::int64_t>(std::sqrt(static_cast<double>(value)));
+  }
+
+  /// (r^2 - d^2) * 2^24, d given times 2^12.
+  template <class Int>
+  static Int power(std::int64_t r2, std::int64_t d) {
+    return (static_cast<Int>(r2) << kFraction2) - static_cast<Int>(d) * d;
+  }
+
+  /// The angle asin(across / r): its tangent is across / sqrt(r^2 - across^2),
+  /// and that root is rounded up. Less than a quarter turn.
+  template <class Int>
+  static Opening opening(std::int64_t r2, std::int64_t across) {
+    const std::int64_t along = root_up(power<Int>(r2, across));
+    return {along > 0 ? along : 1, across};
+  }
+
+  /// A point at r < the farthest R: the ray's point at t = t(R) is in its disc
+  /// if the ray's distance from q is at most sqrt(e^2 - d^2), where d = (R^2 -
+  /// r^2) / (2 t), rounded up, is what t is beyond the foot of q at most.
+  template <class Int>
+  bool step_back(std::int64_t x, std::int64_t y, std::int64_t r2) {
+    const Int power_of_farthest = power<Int>(farthest2_, e_);
+    if (r2 <= near2_) {
+      // The disc holds the apex: perhaps all points up to t in any direction.
+      const std::int64_t r_up = root_up(static_cast<Int>(r2) << kFraction2);
+      if (root_up(power_of_farthest) + r_up <= e_) return true;
+      if (r2 == 0) return false;
+    }
+    const std::int64_t t = root_down(power_of_farthest);
+    if (t == 0) return false;
+    const Int beyond =
+        ((static_cast<Int>(farthest2_ - r2) << kFraction2) + 2 * t - 1) /
+        (2 * t);
+    if (beyond > e_) return false;
+    const Int rest = static_cast<Int>(e_) * e_ - beyond * beyond;
+    return narrow<Int>(x, y, opening<Int>(r2, root_down(rest)));
+  }
+
+  /// Intersects with the directions around q up to the opening's angle, at most
+  /// a quarter turn. Both cones are narrower than half a turn, so one of the
+  /// two left sides is the left side of the intersection if it is in the other
+  /// cone; likewise right.
+  template <class Int>
+  bool narrow(std::int64_t x, std::int64_t y, Opening half) {
+    const Vector left{x * half.along - y * half.across,
+                      y * half.along + x * half.across};
+    const Vector right{x * half.along + y * half.across,
+                       y * half.along - x * half.across};
+    if (!bounded_) {
+      bounded_ = true;
+      single_ = half.across == 0;
+      left_ = left;
+      right_ = right;
+      return true;
+    }
+    const Int right_to_new_left = cross<Int>(right_, left);
+    const Int new_right_to_left = cross<Int>(right, left_);
+    const Int new_left_to_left = cross<Int>(left, left_);
+    const Int right_to_new_right = cross<Int>(right_, right);
+    const bool tighter_left = new_left_to_left >= 0;
+    const bool tighter_right = right_to_new_right >= 0;
+    // Selections instead of branches: no processor can foretell them.
+    const Int of_left = tighter_left ? right_to_new_left : new_right_to_left;
+    const Int of_right = tighter_right ? new_right_to_left : right_to_new_left;
+    const Vector old = left_;
+    left_.x = tighter_left ? left.x : left_.x;
+    left_.y = tighter_left ? left.y : left_.y;
+    right_.x = tighter_right ? right.x : right_.x;
+    right_.y = tighter_right ? right.y : right_.y;
+    if ((of_left | of_right) < 0) return false;
+    if (cross<Int>(right_, left_) != 0) return true;
+    // A single direction: neither the opposite of q nor of what it was before.
+    const bool opposite =
+        dot<Int>(left_, {x, y}) <= 0 || (single_ && dot<Int>(left_, old) <= 0);
+    single_ = true;
+    return !opposite;
+  }
+
+  template <class Int>
+  [[nodiscard]] bool inside(std::int64_t x, std::int64_t y) const {
+    const Vector q{x, y};
+    const Int from_right = cross<Int>(right_, q);
+    const Int to_left = cross<Int>(q, left_);
+    if (from_right < 0 || to_left < 0) return false;
+    if (from_right != 0 || to_left != 0) return true;
+    // A single direction: not its opposite.
+    return dot<Int>(left_, q) > 0;
+  }
+
+  std::int64_t e_;      ///< times 2^12
+  std::int64_t near2_;  ///< r^2 of points that the apex alone serves
+  std::int64_t fast2_;
+  std::int64_t farthest2_ = 0;
+  Vector left_;
+  Vector right_;
+  bool bounded_ = false;  ///< the sides are set
+  bool single_ = false;   ///< and are one direction
+};
+
+}  // namespace unstep::reverse
