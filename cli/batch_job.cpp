@@ -171,7 +171,7 @@ Result<DecompressPlan> plan_job(const BatchInput& input,
     if (!natural) return natural.error();
     plan.format = *natural;
     const bool holds = named && check_kinds(info, pages, *named) &&
-                       (pages.size() == 1 || *named == OutputFormat::tiff ||
+                       (pages.size() == 1 || holds_pages(*named) ||
                         *named == OutputFormat::pbm);
     if (holds) plan.format = *named;
   }
@@ -182,6 +182,27 @@ Result<DecompressPlan> plan_job(const BatchInput& input,
       (fs::path(options.output_folder) / relative).string();
   plan.files = plan_files(path, pages, plan.format, !options.to);
   return plan;
+}
+
+/// The bytes of one output file.
+Result<std::vector<std::uint8_t>> bytes_of(
+    const UstpReader& reader, const std::vector<std::size_t>& pages,
+    OutputFormat format, const DecodeLimits& limits, const Listener& listener,
+    std::vector<std::string>& notes) {
+  std::vector<std::uint8_t> bytes;
+  const auto keep = [&](std::string_view more) {
+    bytes.insert(bytes.end(), more.begin(), more.end());
+    return Status();
+  };
+  Result<PageWriter> writer =
+      PageWriter::create(format, keep, {}, Effort::standard, limits);
+  if (!writer) return writer.error();
+  const Status unpacked =
+      unpack([&](std::size_t page) { return reader.read_page(page); },
+             reader.info().pages.size(), pages, std::move(*writer),
+             [&] { return listener(0, 0); }, notes);
+  if (!unpacked) return unpacked.error();
+  return bytes;
 }
 
 void count_pages(const FileInfo& info, JobResult& result) {
@@ -267,9 +288,8 @@ JobResult decompress_job(const BatchInput& input, const JobOptions& options,
                       "another file of this batch has this name"});
     }
     const auto encode = [&] {
-      return unpack(
-          *reader, file.pages, plan->format, [&] { return listener(0, 0); },
-          result.notes);
+      return bytes_of(*reader, file.pages, plan->format, options.read.limits,
+                      listener, result.notes);
     };
     bool output_failed = false;
     const Result<bool> finished =

@@ -8,12 +8,14 @@
 #include <span>
 
 #include "cli/message.h"
+#include "cli/reshape.h"
 
 namespace unstep::cli {
 namespace {
 
 std::string_view kind_name(PageKind kind) {
-  return kind == PageKind::ink ? "ink" : "chains";
+  if (kind == PageKind::ink) return "ink";
+  return kind == PageKind::chains ? "chains" : "lines";
 }
 
 std::optional<std::string> first_pixel(const Bitmap& a, const Bitmap& b) {
@@ -90,6 +92,59 @@ std::optional<std::string> first_step(const Drawing& a, const Drawing& b) {
   return std::nullopt;
 }
 
+std::string describe(const Path::Element& element) {
+  if (element.kind == Path::Kind::segment) {
+    return fmt::format("a line by ({}, {})", element.segment.dx,
+                       element.segment.dy);
+  }
+  const Arc& arc = element.arc;
+  return fmt::format("an arc by ({}, {}) about ({}, {}), {}", arc.end.x,
+                     arc.end.y, arc.centre.x, arc.centre.y,
+                     arc.clockwise ? "clockwise" : "counter-clockwise");
+}
+
+std::optional<std::string> path_difference(const Path& a, const Path& b) {
+  if (a == b) return std::nullopt;
+  if (a.origin != b.origin) {
+    return fmt::format("starts at ({}, {}) and at ({}, {})", a.origin.x,
+                       a.origin.y, b.origin.x, b.origin.y);
+  }
+  if (a.closed != b.closed) {
+    return fmt::format("is {} and {}", a.closed ? "closed" : "open",
+                       b.closed ? "closed" : "open");
+  }
+  if (a.width != b.width) {
+    return fmt::format("has a pen of {} and {}", a.width, b.width);
+  }
+  const std::size_t common = std::min(a.elements.size(), b.elements.size());
+  for (std::size_t i = 0; i < common; ++i) {
+    if (a.elements[i] == b.elements[i]) continue;
+    return fmt::format("has as element {} {} and {}", grouped(i + 1),
+                       describe(a.elements[i]), describe(b.elements[i]));
+  }
+  return fmt::format("has {} and {}", counted(a.elements.size(), "element"),
+                     grouped(b.elements.size()));
+}
+
+std::optional<std::string> first_element(const Drawing& a, const Drawing& b) {
+  if (a.scale != b.scale || a.paint != b.paint) {
+    return a.scale != b.scale
+               ? fmt::format("{} and {} units per pixel", a.scale, b.scale)
+               : std::string("one is filled, the other drawn by pens");
+  }
+  const std::size_t common = std::min(a.paths.size(), b.paths.size());
+  for (std::size_t i = 0; i < common; ++i) {
+    const auto difference = path_difference(a.paths[i], b.paths[i]);
+    if (difference) {
+      return fmt::format("path {} {} in the second", grouped(i + 1),
+                         *difference);
+    }
+  }
+  if (a.paths.size() == b.paths.size()) return std::nullopt;
+  return fmt::format("{} in the first and {} in the second",
+                     counted(a.paths.size(), "path"), grouped(b.paths.size()));
+}
+
 /// Pixels per metre; per unknown unit where the unit is none.
 double rate(const Rational& value, Resolution::Unit unit) {
   if (value.denominator == 0) return 0;
@@ -124,12 +179,39 @@ std::optional<std::string> first_difference(const Page& a, const Page& b) {
                        kind_name(a.kind), kind_name(b.kind));
   }
   if (a.kind == PageKind::chains) return first_step(a.drawing, b.drawing);
+  if (a.kind == PageKind::paths) return first_element(a.drawing, b.drawing);
   if (a.ink.width() != b.ink.width() || a.ink.height() != b.ink.height()) {
     return fmt::format("{} x {} px in the first and {} x {} px in the second",
                        a.ink.width(), a.ink.height(), b.ink.width(),
                        b.ink.height());
   }
   return first_pixel(a.ink, b.ink);
+}
+
+Result<Deviation> page_deviation(const Page& original, const Page& lines) {
+  const Result<Drawing> chains = chains_of(original);
+  if (!chains) return chains.error();
+  if (lines.fidelity.kind == Fidelity::Kind::device) {
+    return measure_device_deviation(*chains, lines.drawing);
+  }
+  return measure_deviation(*chains, lines.drawing);
+}
+
+double bound_of(const Fidelity& fidelity) {
+  if (fidelity.kind == Fidelity::Kind::device) return 1;
+  return static_cast<double>(fidelity.tolerance.numerator) /
+         fidelity.tolerance.denominator;
+}
+
+std::string describe_deviation(const Deviation& deviation,
+                               const Fidelity& fidelity) {
+  const bool device = fidelity.kind == Fidelity::Kind::device;
+  return fmt::format(
+      "deviates by up to {:.4g} px{}, of {:.6g} px allowed, at ({:.6g}, "
+      "{:.6g}), contour {}, step {}",
+      deviation.distance, device ? " on an axis" : "", bound_of(fidelity),
+      deviation.x, deviation.y, grouped(deviation.path + 1),
+      grouped(deviation.step));
 }
 
 bool same_resolution(const Resolution& a, const Resolution& b) {

@@ -34,7 +34,21 @@ constexpr const char* kExamples =
     "  unstep compress photo.jpg --threshold otsu -o photo.ustp\n"
     "  unstep compress page.tif --meta title='Plan 7' --meta author=me\n"
     "  unstep compress traced.fc               chain codes, step for step\n"
+    "  unstep compress plan.png --tolerance 1  lines and arcs, never more "
+    "than\n"
+    "                                          1 pixel off\n"
+    "  unstep compress part.svg                vertices as they are\n"
+    "  unstep compress part.svg --grid 0.1mm   as unit steps of 0.1 mm\n"
     "  pdftoppm -mono a.pdf | unstep compress - -o a.ustp\n";
+
+/// Of the last page of paths; null if all is exact.
+nlohmann::ordered_json tolerance_of(const Packed& packed) {
+  if (!packed.fidelity || packed.fidelity->kind == Fidelity::Kind::exact) {
+    return nullptr;
+  }
+  return {packed.fidelity->tolerance.numerator,
+          packed.fidelity->tolerance.denominator};
+}
 
 nlohmann::ordered_json to_json(const CompressOptions& options,
                                const Source& source, const Packed& packed) {
@@ -45,6 +59,10 @@ nlohmann::ordered_json to_json(const CompressOptions& options,
           {"pixels", packed.pixels},
           {"chains", packed.chains},
           {"steps", packed.steps},
+          {"paths", packed.paths},
+          {"lines", packed.lines},
+          {"arcs", packed.arcs},
+          {"tolerance", tolerance_of(packed)},
           {"input_bytes", source.bytes()},
           {"packed_bytes", packed.packed_bytes},
           {"output_bytes", packed.bytes.size()},
@@ -116,8 +134,8 @@ void add_compress(CLI::App& app, Context& context) {
   CLI::App* verb =
       app.add_subcommand("compress", "Write a drawing as a .ustp file");
   add_input(*verb, options->input,
-            "The drawing: PBM, PGM, PNG, TIFF, BMP, JPEG or Freeman chain "
-            "text; - is standard input");
+            "The drawing: PBM, PGM, PNG, TIFF, BMP, JPEG, SVG, DXF, HPGL, JSON "
+            "or Freeman chain text; - is standard input");
   verb->add_option("-o,--output", options->output,
                    "The .ustp file; - is standard output [IN with .ustp]")
       ->type_name("OUT");

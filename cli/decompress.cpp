@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cli/file_output.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/options.h"
@@ -24,6 +25,7 @@ struct DecompressOptions {
   std::string output;
   std::optional<OutputFormat> to;
   std::uint64_t page = 0;  ///< 1-based; 0: all
+  std::optional<Box> box;
   DecodeLimits limits;
   int jobs = 1;
   bool quiet = false;
@@ -37,7 +39,9 @@ constexpr const char* kExamples =
     "  unstep decompress page.ustp -o scan.tif\n"
     "  unstep decompress book.ustp --to png    writes book-0001.png ...\n"
     "  unstep decompress book.ustp --page 3 -o - --to pbm | pnmtops\n"
-    "  unstep decompress traced.ustp           chains: writes traced.fc\n";
+    "  unstep decompress traced.ustp           chains: writes traced.fc\n"
+    "  unstep decompress plan.ustp --to svg    the lines themselves\n"
+    "  unstep decompress map.ustp --box 0,0,500,500 -o corner.png\n";
 
 /// What is to be written, settled before anything is decoded.
 struct Plan {
@@ -154,6 +158,23 @@ std::string describe_files(const DecompressOptions& options, const Plan& plan) {
                      counted(pages, "page"));
 }
 
+Status write_pages(const DecompressOptions& options, const UstpReader& reader,
+                   const OutputFile& file, OutputFormat format,
+                   FileOutput& output, Decoding& decoding,
+                   std::vector<std::string>& notes) {
+  const auto give = [&](std::size_t page) {
+    return options.box ? reader.read_page(page, *options.box)
+                       : reader.read_page(page);
+  };
+  Result<PageWriter> writer = PageWriter::create(
+      format, output.sink(), {}, Effort::standard, options.limits);
+  if (!writer) return writer.error();
+  const Status unpacked = unpack(
+      give, reader.info().pages.size(), file.pages, std::move(*writer),
+      [&] { return decoding.next_page(); }, notes);
+  return unpacked ? output.commit() : unpacked;
+}
+
 /// Writes the planned files. A damaged page does not keep the other pages of
 /// a numbered set from being written.
 ExitCode write_files(const DecompressOptions& options, const UstpReader& reader,
@@ -162,19 +183,17 @@ ExitCode write_files(const DecompressOptions& options, const UstpReader& reader,
   ExitCode code = ExitCode::ok;
   for (const OutputFile& file : plan.files) {
     std::vector<std::string> notes;
-    const Result<std::vector<std::uint8_t>> bytes = unpack(
-        reader, file.pages, plan.format, [&] { return decoding.next_page(); },
-        notes);
-    if (!bytes) {
-      decoding.finish();
-      code = report_error(name, bytes.error());
-      if (bytes.error().code == ErrorCode::cancelled) return code;
-      continue;
-    }
-    const Status written = write_file(file.path, *bytes, options.force);
+    FileOutput output(file.path, options.force);
+    const Status unpacked = write_pages(options, reader, file, plan.format,
+                                        output, decoding, notes);
     decoding.finish();
-    if (!written) {
-      return report_error(output_name(file.path), written.error());
+    if (!output.status()) {
+      return report_error(output_name(file.path), output.status().error());
+    }
+    if (!unpacked) {
+      code = report_error(name, unpacked.error());
+      if (unpacked.error().code == ErrorCode::cancelled) return code;
+      continue;
     }
     if (options.quiet) continue;
     for (const std::string& note : notes) report_warning(name, note);
@@ -194,9 +213,8 @@ ExitCode decompress(DecompressOptions options) {
     if (!options.to) {
       return report_usage(
           "decompress",
-          fmt::format("{}: the name does not end in .png, .pbm, .tif or .fc; "
-                      "say --to FORMAT",
-                      options.output));
+          fmt::format("{}: the name's ending is not {}; say --to FORMAT",
+                      options.output, format_words()));
     }
   }
   const std::string name = input_name(options.input);
@@ -231,15 +249,16 @@ ExitCode decompress(DecompressOptions options) {
 void add_decompress(CLI::App& app, Context& context) {
   const auto options = std::make_shared<DecompressOptions>();
   CLI::App* verb = app.add_subcommand(
-      "decompress", "Turn a .ustp file back into images or chains");
+      "decompress", "Turn a .ustp file back into images, lines or chains");
   add_input(*verb, options->input, "The .ustp file; - is standard input");
   verb->add_option("-o,--output", options->output,
                    "The file to write; - is standard output [IN with .png, "
-                   ".tif or .fc]")
+                   ".tif, .svg or .fc]")
       ->type_name("OUT");
   add_force(*verb, options->force);
   add_to(*verb, options->to);
   add_page(*verb, options->page);
+  add_box(*verb, options->box);
   add_jobs(*verb, options->jobs);
   add_limits(*verb, options->limits);
   add_quiet(*verb, options->quiet);

@@ -11,6 +11,7 @@
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/pack.h"
 #include "cli/verbs.h"
 #include "codec/block_coder.h"
 #include "unstep/unstep.h"
@@ -36,6 +37,7 @@ std::string coder_name(std::uint8_t coder) {
     case codec::kCoderStored: return "stored";
     case codec::kCoderContours: return "contours";
     case codec::kCoderChains: return "chains";
+    case codec::kCoderPaths: return "paths";
     default: return fmt::format("coder {}", coder);
   }
 }
@@ -48,6 +50,7 @@ std::string_view form_name(FileInfo::Form form) {
 struct Content {
   std::uint64_t pixels = 0;
   std::uint64_t steps = 0;
+  std::uint64_t elements = 0;
 };
 
 Content content_of(const PageEntry& page) {
@@ -56,8 +59,10 @@ Content content_of(const PageEntry& page) {
     content.pixels = static_cast<std::uint64_t>(page.canvas.width) *
                      static_cast<std::uint64_t>(page.canvas.height);
   }
-  for (const PageEntry::Block& block : page.blocks)
+  for (const PageEntry::Block& block : page.blocks) {
     content.steps += block.steps;
+    content.elements += block.elements;
+  }
   return content;
 }
 
@@ -67,6 +72,7 @@ Content content_of(const FileInfo& info) {
     const Content content = content_of(page);
     sum.pixels += content.pixels;
     sum.steps += content.steps;
+    sum.elements += content.elements;
   }
   return sum;
 }
@@ -77,8 +83,18 @@ double bits_per(std::uint64_t bytes, std::uint64_t count) {
              : 8.0 * static_cast<double>(bytes) / static_cast<double>(count);
 }
 
-/// ", 0.1234 bits per pixel" where the file holds pixels alone.
+/// ", 0.1234 bits per pixel" where the file holds one kind of things alone.
 std::string density(std::uint64_t bytes, const Content& content) {
+  if (content.elements > 0) {
+    if (content.pixels > 0) return "";
+    std::string text;
+    if (content.steps > 0) {
+      text =
+          fmt::format(", {:.3f} bits per step", bits_per(bytes, content.steps));
+    }
+    return text + fmt::format(", {:.2f} bits per line or arc",
+                              bits_per(bytes, content.elements));
+  }
   if (content.pixels > 0 && content.steps == 0) {
     return fmt::format(", {:.4f} bits per pixel",
                        bits_per(bytes, content.pixels));
@@ -96,17 +112,61 @@ void print_metadata(const Metadata& metadata, std::string_view indent) {
   }
 }
 
+std::string_view kind_name(PageKind kind) {
+  if (kind == PageKind::ink) return "ink";
+  return kind == PageKind::chains ? "chains" : "paths";
+}
+
+std::string_view fidelity_name(const Fidelity& fidelity) {
+  switch (fidelity.kind) {
+    case Fidelity::Kind::exact: return "exact";
+    case Fidelity::Kind::tolerance: return "tolerance";
+    case Fidelity::Kind::device: return "device";
+  }
+  return "";
+}
+
+/// ", within 1 px".
+std::string fidelity_text(const Fidelity& fidelity) {
+  const std::string bound = describe_bound(fidelity);
+  return bound.empty() ? bound : "," + bound;
+}
+
+std::string describe_block(const PageEntry& page,
+                           const PageEntry::Block& block) {
+  switch (page.kind) {
+    case PageKind::ink:
+      return fmt::format("rows {} to {}", block.first_row,
+                         block.first_row + block.rows - 1);
+    case PageKind::chains:
+      return fmt::format("{}, {}", counted(block.chains, "chain"),
+                         counted(block.steps, "step"));
+    case PageKind::paths: break;
+  }
+  std::string text = fmt::format("{}, {}", counted(block.paths, "path"),
+                                 counted(block.elements - block.arcs, "line"));
+  if (block.arcs > 0) text += ", " + counted(block.arcs, "arc");
+  if (block.steps > 0) text += " for " + counted(block.steps, "step");
+  return text;
+}
+
 std::string describe_canvas(const PageEntry& page) {
   const Canvas& canvas = page.canvas;
-  std::string text;
-  if (page.kind == PageKind::ink) {
-    text = fmt::format("ink, {} x {} px", canvas.width, canvas.height);
-  } else if (canvas.width == 0 && canvas.height == 0) {
-    text = "chains, no canvas";
+  std::string text(kind_name(page.kind));
+  if (page.kind != PageKind::ink && canvas.width == 0 && canvas.height == 0) {
+    text += ", no canvas";
   } else {
-    text = fmt::format("chains, {} x {} px", canvas.width, canvas.height);
+    text += fmt::format(", {} x {} px", canvas.width, canvas.height);
   }
-  if (page.kind == PageKind::chains) {
+  if (page.kind == PageKind::paths) {
+    text += page.paint == Paint::fill ? ", filled" : ", drawn by pens";
+    text += fidelity_text(page.fidelity);
+    if (page.scale != 1) {
+      text += fmt::format(", {} units per pixel",
+                          grouped(static_cast<std::uint64_t>(page.scale)));
+    }
+  }
+  if (page.kind != PageKind::ink) {
     text += canvas.y_axis == YAxis::up ? ", y up" : ", y down";
   }
   if (page.info.resolution.known()) {
@@ -124,15 +184,9 @@ void print_page(const PageEntry& page, std::size_t number) {
   fmt::print("    checksum: {:08x}\n", page.checksum);
   for (std::size_t i = 0; i < page.blocks.size(); ++i) {
     const PageEntry::Block& block = page.blocks[i];
-    const std::string what =
-        page.kind == PageKind::ink
-            ? fmt::format("rows {} to {}", block.first_row,
-                          block.first_row + block.rows - 1)
-            : fmt::format("{}, {}", counted(block.chains, "chain"),
-                          counted(block.steps, "step"));
-    fmt::print("    block {}: {}, {}, {} revision {} table {}\n", i + 1, what,
-               counted(block.bytes, "byte"), coder_name(block.coder),
-               block.revision, block.table);
+    fmt::print("    block {}: {}, {}, {} revision {} table {}\n", i + 1,
+               describe_block(page, block), counted(block.bytes, "byte"),
+               coder_name(block.coder), block.revision, block.table);
   }
 }
 
@@ -179,8 +233,15 @@ Json to_json(const PageEntry::Block& block, PageKind kind) {
     json["first_row"] = block.first_row;
     json["rows"] = block.rows;
   } else {
-    json["chains"] = block.chains;
+    json["box"] = {block.box.x, block.box.y, block.box.width, block.box.height};
     json["steps"] = block.steps;
+    if (kind == PageKind::chains) {
+      json["chains"] = block.chains;
+    } else {
+      json["paths"] = block.paths;
+      json["lines"] = block.elements - block.arcs;
+      json["arcs"] = block.arcs;
+    }
   }
   json["coder"] = block.coder;
   json["coder_name"] = coder_name(block.coder);
@@ -194,7 +255,13 @@ Json to_json(const PageEntry& page) {
   for (const PageEntry::Block& block : page.blocks) {
     blocks.push_back(to_json(block, page.kind));
   }
-  return {{"kind", page.kind == PageKind::ink ? "ink" : "chains"},
+  return {{"kind", kind_name(page.kind)},
+          {"fidelity", fidelity_name(page.fidelity)},
+          {"tolerance", page.fidelity.kind == Fidelity::Kind::exact
+                            ? Json(nullptr)
+                            : Json({page.fidelity.tolerance.numerator,
+                                    page.fidelity.tolerance.denominator})},
+          {"scale", page.scale},
           {"width", page.canvas.width},
           {"height", page.canvas.height},
           {"y_axis", page.canvas.y_axis == YAxis::up ? "up" : "down"},
@@ -223,6 +290,7 @@ Json to_json(const std::string& path, const FileInfo& info,
       {"steps", content.steps},
       {"bits_per_step", content.steps > 0 ? Json(bits_per(bytes, content.steps))
                                           : Json(nullptr)},
+      {"elements", content.elements},
       {"metadata", to_json(info.metadata)},
       {"pages", std::move(pages)}};
 }

@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstdlib>
 #include <limits>
 #include <thread>
 
@@ -76,6 +78,77 @@ void set_threshold(Threshold& threshold, const std::string& text) {
   threshold.level = static_cast<int>(*level);
 }
 
+/// A length above 0.
+Quantity parse_positive(const std::string& option, const std::string& text) {
+  const Result<Quantity> length = parse_quantity(text);
+  if (!length) throw CLI::ValidationError(option, length.error().message);
+  if (!(length->value > 0)) {
+    throw CLI::ValidationError(option,
+                               fmt::format("'{}' is not above 0", text));
+  }
+  return *length;
+}
+
+void set_kind(InputOptions& options, const std::string& text) {
+  using Kind = InputOptions::Kind;
+  constexpr std::array<std::pair<std::string_view, VectorFormat>, 5> kVectors{
+      {{"svg", VectorFormat::svg},
+       {"dxf", VectorFormat::dxf},
+       {"hpgl", VectorFormat::hpgl},
+       {"json", VectorFormat::json},
+       {"freeman", VectorFormat::freeman}}};
+  if (text == "raster") {
+    options.kind = Kind::raster;
+    return;
+  }
+  for (const auto& [word, format] : kVectors) {
+    if (text != word) continue;
+    options.kind = Kind::vector;
+    options.vector = format;
+    return;
+  }
+  throw CLI::ValidationError(
+      "--from",
+      fmt::format("'{}' is not raster, svg, dxf, hpgl, json or freeman", text));
+}
+
+void set_method(LineOptions& options, const std::string& text) {
+  using Method = LineOptions::Method;
+  if (text == "exact") {
+    options.method = Method::none;
+  } else if (text == "device") {
+    options.method = Method::device;
+  } else {
+    throw CLI::ValidationError(
+        "--reverse", fmt::format("'{}' is neither exact nor device", text));
+  }
+}
+
+Box parse_box(const std::string& text) {
+  std::array<std::int64_t, 4> numbers{};
+  const char* at = text.data();
+  const char* end = at + text.size();
+  bool good = true;
+  for (std::size_t i = 0; i < numbers.size() && good; ++i) {
+    if (i > 0) good = at != end && *at++ == ',';
+    const auto [rest, failure] = std::from_chars(at, end, numbers[i]);
+    good = good && failure == std::errc();
+    at = rest;
+  }
+  const auto [x, y, width, height] = numbers;
+  good = good && at == end && std::abs(x) <= kMaxCoord &&
+         std::abs(y) <= kMaxCoord && width >= 1 && height >= 1 &&
+         width <= 2 * std::int64_t{kMaxCoord} &&
+         height <= 2 * std::int64_t{kMaxCoord};
+  if (!good) {
+    throw CLI::ValidationError(
+        "--box", fmt::format("'{}' is not X,Y,WIDTH,HEIGHT in pixels", text));
+  }
+  return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y),
+          static_cast<std::uint32_t>(width),
+          static_cast<std::uint32_t>(height)};
+}
+
 void add_pair(Metadata& metadata, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
@@ -135,21 +208,29 @@ void add_limits(CLI::App& verb, DecodeLimits& limits) {
 }
 
 void add_input_kind(CLI::App& verb, InputOptions& options) {
-  const auto set_kind = [&options](const std::string& text) {
-    if (text == "raster") {
-      options.kind = InputOptions::Kind::raster;
-    } else if (text == "freeman") {
-      options.kind = InputOptions::Kind::freeman;
-    } else {
-      throw CLI::ValidationError(
-          "--from", fmt::format("'{}' is neither raster nor freeman", text));
-    }
-  };
   verb.add_option_function<std::string>(
-          "--from", set_kind,
-          "What the input is: raster or freeman [by its content]")
+          "--from",
+          [&options](const std::string& text) { set_kind(options, text); },
+          "What the input is: raster, svg, dxf, hpgl, json or freeman [by its "
+          "content]")
       ->type_name("KIND");
   add_threshold(verb, options.threshold);
+  verb.add_option_function<std::string>(
+          "--grid",
+          [&options](const std::string& text) {
+            options.grid = parse_positive("--grid", text);
+          },
+          "For vectors: draw them as unit steps on a grid of this width, 0.1mm "
+          "or a number of the file's units [vertices stay what they are]")
+      ->type_name("LENGTH");
+  verb.add_option_function<std::string>(
+          "--curves",
+          [&options](const std::string& text) {
+            options.curve_tolerance = parse_positive("--curves", text).value;
+          },
+          "For vectors: curves become lines no farther than this from them, in "
+          "the file's units [a thousandth of the drawing's size]")
+      ->type_name("N");
 }
 
 void add_threshold(CLI::App& verb, Threshold& threshold) {
@@ -183,6 +264,52 @@ void add_pack(CLI::App& verb, PackOptions& options) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_effort(verb, options.effort);
+  add_lines(verb, options.lines);
+}
+
+void add_lines(CLI::App& verb, LineOptions& options) {
+  CLI::Option* tolerance =
+      verb.add_option_function<std::string>(
+              "--tolerance",
+              [&options](const std::string& text) {
+                options.tolerance = parse_positive("--tolerance", text);
+                options.method = LineOptions::Method::tolerance;
+              },
+              "Lossy: contours and chains become lines and arcs that are "
+              "nowhere farther than this from them, 1 (pixels), 0.05mm")
+          ->type_name("LENGTH");
+  verb.add_option_function<std::string>(
+          "--reverse",
+          [&options](const std::string& text) { set_method(options, text); },
+          "exact: every step is kept; device: the segments of SU 1089551, "
+          "within 1 unit per axis [exact]")
+      ->type_name("METHOD")
+      ->excludes(tolerance);
+  verb.add_flag(
+          "--no-arcs", [&options](std::int64_t) { options.arcs = false; },
+          "With --tolerance: lines only")
+      ->needs(tolerance);
+}
+
+void add_effort(CLI::App& verb, Effort& effort) {
+  verb.add_option_function<std::string>(
+          "--effort",
+          [&effort](const std::string& text) {
+            if (text == "fast") {
+              effort = Effort::fast;
+            } else if (text == "standard") {
+              effort = Effort::standard;
+            } else if (text == "max") {
+              effort = Effort::max;
+            } else {
+              throw CLI::ValidationError(
+                  "--effort",
+                  fmt::format("'{}' is not fast, standard or max", text));
+            }
+          },
+          "Time to spend: fast, standard or max [standard]")
+      ->type_name("LEVEL");
 }
 
 void add_to(CLI::App& verb, std::optional<OutputFormat>& format) {
@@ -190,12 +317,13 @@ void add_to(CLI::App& verb, std::optional<OutputFormat>& format) {
     format = format_of_word(text);
     if (!format) {
       throw CLI::ValidationError(
-          "--to", fmt::format("'{}' is not png, pbm, tif or fc", text));
+          "--to", fmt::format("'{}' is not {}", text, format_words()));
     }
   };
   verb.add_option_function<std::string>(
           "--to", set,
-          "Format to write: png, pbm, tif or fc [by the name of OUT]")
+          fmt::format("Format to write: {} [by the name of OUT]",
+                      format_words()))
       ->type_name("FORMAT");
 }
 
@@ -203,6 +331,14 @@ void add_page(CLI::App& verb, std::uint64_t& page) {
   add_count(verb, "--page", page, 1, 0xffffffff,
             "Only this page, counted from 1")
       ->type_name("N");
+}
+
+void add_box(CLI::App& verb, std::optional<Box>& box) {
+  verb.add_option_function<std::string>(
+          "--box", [&box](const std::string& text) { box = parse_box(text); },
+          "Only this part of the page: ink is cut out; of vectors all that "
+          "blocks in reach hold")
+      ->type_name("X,Y,W,H");
 }
 
 void add_input(CLI::App& verb, std::string& path, const char* help) {

@@ -6,26 +6,45 @@
 #include <vector>
 
 #include "cli/output_format.h"
+#include "cli/quantity.h"
 #include "cli/verbs.h"
 #include "unstep/codec.h"
 #include "unstep/formats.h"
+#include "unstep/reverse.h"
 
 /// The options that several verbs share: one name, one help line, one syntax.
 namespace unstep::cli {
 
 /// How an input drawing is read.
 struct InputOptions {
-  enum class Kind : std::uint8_t { automatic, raster, freeman };
+  enum class Kind : std::uint8_t { automatic, raster, vector };
   Kind kind = Kind::automatic;
+  VectorFormat vector = VectorFormat::svg;  ///< when kind == vector
   Threshold threshold;
+  std::optional<Quantity> grid;  ///< vectors become steps on this grid
+  double curve_tolerance = 0;    ///< VectorReadOptions
   DecodeLimits limits;
   int jobs = 1;
+};
+
+/// How chains and contours become lines, if they do.
+struct LineOptions {
+  enum class Method : std::uint8_t {
+    none,       ///< they stay what they are, step for step
+    tolerance,  ///< lines and arcs within `tolerance`
+    device      ///< the segments of SU 1089551
+  };
+  Method method = Method::none;
+  Quantity tolerance;
+  bool arcs = true;
 };
 
 /// How pages become a file.
 struct PackOptions {
   bool verify = true;
   int bands = 0;
+  Effort effort = Effort::standard;
+  LineOptions lines;
   Metadata metadata;
 };
 
@@ -45,19 +64,28 @@ void add_jobs(CLI::App& verb, int& jobs);
 /// --max-pixels, --max-steps, --max-memory.
 void add_limits(CLI::App& verb, DecodeLimits& limits);
 
-/// --from and --threshold.
+/// --from, --threshold, --grid and --curves.
 void add_input_kind(CLI::App& verb, InputOptions& options);
 
 void add_threshold(CLI::App& verb, Threshold& threshold);
 
-/// --no-verify, --bands and --meta.
+/// --no-verify, --bands, --meta, --effort and those of add_lines.
 void add_pack(CLI::App& verb, PackOptions& options);
+
+/// --tolerance, --reverse and --no-arcs.
+void add_lines(CLI::App& verb, LineOptions& options);
+
+/// --effort.
+void add_effort(CLI::App& verb, Effort& effort);
 
 /// --to: the format to write.
 void add_to(CLI::App& verb, std::optional<OutputFormat>& format);
 
 /// --page: a page by its number from 1.
 void add_page(CLI::App& verb, std::uint64_t& page);
+
+/// --box: a part of the page, "x,y,width,height" in grid units.
+void add_box(CLI::App& verb, std::optional<Box>& box);
 
 /// One input path, required.
 void add_input(CLI::App& verb, std::string& path, const char* help);

@@ -5,19 +5,32 @@
 #include <utility>
 
 #include "cli/message.h"
+#include "cli/reshape.h"
 
 namespace unstep::cli {
 namespace {
 
-void count_page(const Page& page, Packed& packed) {
-  ++packed.pages;
-  if (page.kind == PageKind::chains) {
-    packed.chains += page.drawing.chains.size();
-    for (const Chain& chain : page.drawing.chains) {
-      packed.steps += chain.steps.size();
+void count_lines(const Drawing& drawing, Packed& packed) {
+  packed.paths += drawing.paths.size();
+  for (const Path& path : drawing.paths) {
+    for (const Path::Element& element : path.elements) {
+      ++(element.kind == Path::Kind::arc ? packed.arcs : packed.lines);
     }
-    return;
   }
+}
+
+void count_drawing(const Page& page, Packed& packed) {
+  packed.chains += page.drawing.chains.size();
+  for (const Chain& chain : page.drawing.chains) {
+    packed.steps += chain.steps.size();
+  }
+  if (page.kind != PageKind::paths) return;
+  count_lines(page.drawing, packed);
+  packed.fidelity = page.fidelity;
+}
+
+/// Of a page as it was read.
+void count_ink(const Page& page, Packed& packed) {
   const Bitmap& ink = page.ink;
   packed.pixels += ink.pixels();
   packed.packed_bytes += (static_cast<std::uint64_t>(ink.width()) + 7) / 8 *
@@ -27,8 +40,9 @@ void count_page(const Page& page, Packed& packed) {
 }
 
 Status add_page(UstpWriter& writer, const Page& page) {
-  return page.kind == PageKind::ink ? writer.add_page(page.ink, page.info)
-                                    : writer.add_page(page.drawing, page.info);
+  return page.kind == PageKind::ink
+             ? writer.add_page(page.ink, page.info)
+             : writer.add_page(page.drawing, page.info, page.fidelity);
 }
 
 double share(std::uint64_t done, std::uint64_t total) {
@@ -43,6 +57,16 @@ std::string on_page(std::size_t index, std::size_t count,
   const std::string place = fmt::format("page {}: ", index + 1);
   if (count == 1 || message.starts_with(place)) return std::string(message);
   return place + std::string(message);
+}
+
+std::string describe_bound(const Fidelity& fidelity) {
+  if (fidelity.kind == Fidelity::Kind::device) {
+    return " within 1 px on each axis";
+  }
+  if (fidelity.kind == Fidelity::Kind::exact) return "";
+  return fmt::format(" within {:.6g} px",
+                     static_cast<double>(fidelity.tolerance.numerator) /
+                         fidelity.tolerance.denominator);
 }
 
 Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
@@ -68,13 +92,23 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
                    on_page(index, count, page.error().message)};
     }
     if (index + 1 == count) source.release();  // room for the coder
-    page_pixels = page->page.ink.pixels();
-    if (const Status added = add_page(writer, page->page); !added) {
+    const Page& read = page->page;
+    page_pixels = read.ink.pixels();
+    ++packed.pages;
+    if (read.kind == PageKind::ink) count_ink(read, packed);
+    const Result<Page> stored =
+        to_lines(std::move(page->page), options.lines, options.effort);
+    if (!stored) {
+      return Error{stored.error().code,
+                   on_page(index, count, stored.error().message)};
+    }
+    if (const Status added = add_page(writer, *stored); !added) {
       return Error{added.error().code,
                    on_page(index, count, added.error().message)};
     }
-    count_page(page->page, packed);
-    packed.lossless = packed.lossless && page->lossless;
+    count_drawing(*stored, packed);
+    const bool exact = stored->fidelity.kind == Fidelity::Kind::exact;
+    packed.lossless = packed.lossless && page->lossless && exact;
     for (const std::string& note : page->notes) {
       packed.notes.push_back(on_page(index, count, note));
     }
@@ -93,10 +127,16 @@ std::string describe(const Packed& packed, bool verified) {
   } else if (packed.pixels > 0) {
     text += fmt::format(", {} px", grouped(packed.pixels));
   }
-  if (packed.pixels == 0) {
+  if (packed.chains > 0 || (packed.pixels == 0 && packed.paths == 0)) {
     text += fmt::format(", {}, {}", counted(packed.chains, "chain"),
                         counted(packed.steps, "step"));
   }
+  if (packed.paths > 0) {
+    text += fmt::format(", {}, {}", counted(packed.paths, "path"),
+                        counted(packed.lines, "line"));
+    if (packed.arcs > 0) text += ", " + counted(packed.arcs, "arc");
+  }
+  if (packed.fidelity) text += describe_bound(*packed.fidelity);
   text += ", " + counted(packed.bytes.size(), "byte");
   if (packed.packed_bytes > 0) {
     text += fmt::format(", {} of {} packed",

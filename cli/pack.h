@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,8 +21,12 @@ struct Packed {
   std::uint64_t pixels = 0;        ///< of the ink pages
   std::uint64_t packed_bytes = 0;  ///< of the ink pages at 8 pixels a byte
   std::uint64_t chains = 0;
-  std::uint64_t steps = 0;
-  std::int32_t width = 0;  ///< of the last page
+  std::uint64_t steps = 0;  ///< of the chains stored
+  std::uint64_t paths = 0;
+  std::uint64_t lines = 0;  ///< elements of the paths stored
+  std::uint64_t arcs = 0;
+  std::optional<Fidelity> fidelity;  ///< of the last page of paths
+  std::int32_t width = 0;            ///< of the last page
   std::int32_t height = 0;
   bool lossless = true;
   std::vector<std::string> notes;
@@ -31,12 +36,16 @@ struct Packed {
 /// false to cancel.
 using Listener = std::function<bool(double fraction, std::uint64_t pixels)>;
 
-/// Encodes every page, one in memory at a time.
+/// Encodes every page, one in memory at a time, as lines where the options say
+/// so.
 Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
                     const Listener& listener);
 
 /// "1 page, 1728 x 2376 px, 12,345 bytes, 2.4 % of 513,216 packed, verified".
 [[nodiscard]] std::string describe(const Packed& packed, bool verified);
+
+/// " within 1 px", " within 1 px on each axis"; nothing for what is exact.
+[[nodiscard]] std::string describe_bound(const Fidelity& fidelity);
 
 /// Adds "page 2: " to a message about one of several pages, unless it is there.
 [[nodiscard]] std::string on_page(std::size_t index, std::size_t count,

@@ -2,23 +2,35 @@
 
 #include <zlib.h>
 
-#include <algorithm>
-#include <span>
 #include <utility>
+
+#include "cli/output_format.h"
+#include "cli/reshape.h"
 
 namespace unstep::cli {
 namespace {
 
-/// Text that is no netpbm file, whose signatures are text too.
-bool may_be_freeman(std::span<const std::uint8_t> file) {
-  if (file.size() >= 2 && file[0] == 'P' && file[1] >= '1' && file[1] <= '7') {
-    return false;
+std::string_view text_of(const std::vector<std::uint8_t>& file) {
+  return {reinterpret_cast<const char*>(file.data()), file.size()};
+}
+
+std::string_view name_of(VectorFormat format) {
+  switch (format) {
+    case VectorFormat::svg: return "svg";
+    case VectorFormat::dxf: return "dxf";
+    case VectorFormat::hpgl: return "hpgl";
+    case VectorFormat::pdf: return "pdf";
+    case VectorFormat::json: return "json";
+    case VectorFormat::freeman: return "freeman";
   }
-  const auto head = file.first(std::min<std::size_t>(file.size(), 512));
-  return std::all_of(head.begin(), head.end(), [](std::uint8_t byte) {
-    return byte == '\t' || byte == '\n' || byte == '\r' ||
-           (byte >= 0x20 && byte != 0x7f);
-  });
+  return "";
+}
+
+/// What the ending of a name promises, where the content need not show it.
+std::optional<VectorFormat> promised(const std::string& path) {
+  if (has_suffix(path, ".fc")) return VectorFormat::freeman;
+  const std::optional<OutputFormat> format = format_of_name(path);
+  return format ? vector_format(*format) : std::nullopt;
 }
 
 }  // namespace
@@ -49,8 +61,11 @@ Result<Source> Source::recognise(const std::string& path,
   if (options.kind == Kind::raster) {
     return open_raster(std::move(file), options);
   }
-  if (options.kind == Kind::freeman || has_suffix(path, ".fc")) {
-    return open_freeman(file, options);
+  if (options.kind == Kind::vector) {
+    return open_vector(file, options.vector, options);
+  }
+  if (const auto format = promised(path)) {
+    return open_vector(file, *format, options);
   }
   // An empty text is a drawing without chains; an empty image is none.
   if (file.empty()) return Error{ErrorCode::truncated, "the file is empty"};
@@ -67,12 +82,12 @@ Result<Source> Source::recognise(const std::string& path,
   if (ustp.error().code != ErrorCode::bad_magic || has_suffix(path, ".ustp")) {
     return ustp.error();
   }
-  if (!may_be_freeman(*kept)) return open_raster(std::move(*kept), options);
-  Result<Source> freeman = open_freeman(*kept, options);
-  if (freeman) return freeman;
-  return Error{
-      freeman.error().code,
-      "neither a raster image nor Freeman text: " + freeman.error().message};
+  const auto format = recognise_vector(text_of(*kept));
+  if (!format) return open_raster(std::move(*kept), options);
+  Result<Source> vector = open_vector(*kept, *format, options);
+  if (vector || *format != VectorFormat::freeman) return vector;
+  return Error{vector.error().code,
+               "neither a drawing nor Freeman text: " + vector.error().message};
 }
 
 Result<Source> Source::open_raster(std::vector<std::uint8_t> file,
@@ -86,21 +101,23 @@ Result<Source> Source::open_raster(std::vector<std::uint8_t> file,
   return source;
 }
 
-Result<Source> Source::open_freeman(const std::vector<std::uint8_t>& file,
-                                    const InputOptions& options) {
-  const std::string_view text(reinterpret_cast<const char*>(file.data()),
-                              file.size());
-  Result<Drawing> drawing = parse_freeman(text, options.limits);
-  if (!drawing) return drawing.error();
+Result<Source> Source::open_vector(const std::vector<std::uint8_t>& file,
+                                   VectorFormat format,
+                                   const InputOptions& options) {
+  Result<std::vector<VectorPage>> pages = read_vector(
+      text_of(file), format, {options.curve_tolerance, options.limits});
+  if (!pages) return pages.error();
   Source source;
-  source.format_ = "freeman";
-  source.drawing_ = std::move(*drawing);
+  source.format_ = name_of(format);
+  source.vectors_ = *std::move(pages);
+  source.grid_ = options.grid;
+  source.max_steps_ = options.limits.max_steps;
   return source;
 }
 
 std::size_t Source::page_count() const {
   if (raster_) return raster_->page_count();
-  return ustp_ ? ustp_->info().pages.size() : 1;
+  return ustp_ ? ustp_->info().pages.size() : vectors_.size();
 }
 
 Result<SourcePage> Source::read(std::size_t index) {
@@ -109,9 +126,13 @@ Result<SourcePage> Source::read(std::size_t index) {
     Result<Page> page = ustp_->read_page(index);
     if (!page) return page.error();
     out.page = std::move(*page);
-  } else if (drawing_) {
-    out.page.kind = PageKind::chains;
-    out.page.drawing = std::move(*drawing_);
+  } else if (!raster_) {
+    VectorPage& vector = vectors_[index];
+    out.page.kind =
+        vector.drawing.paths.empty() ? PageKind::chains : PageKind::paths;
+    out.page.drawing = std::move(vector.drawing);
+    out.page.info = std::move(vector.info);
+    out.notes = std::move(vector.notes);
   } else {
     Result<RasterPage> page = raster_->read(index);
     if (!page) return page.error();
@@ -119,6 +140,11 @@ Result<SourcePage> Source::read(std::size_t index) {
     out.page.ink = std::move(page->ink);
     out.lossless = page->lossless;
     out.notes = std::move(page->notes);
+  }
+  if (grid_ && out.page.kind == PageKind::paths) {
+    Result<Page> steps = to_steps(std::move(out.page), *grid_, max_steps_);
+    if (!steps) return steps.error();
+    out.page = *std::move(steps);
   }
   return out;
 }

@@ -23,15 +23,15 @@ struct SourcePage {
   std::vector<std::string> notes;
 };
 
-/// Raster image, Freeman text or .ustp, recognised by content unless the
-/// options say.
+/// Raster image, vector drawing, Freeman text or .ustp, recognised by content
+/// unless the options say.
 class Source {
  public:
   /// `path` "-" is standard input. Errors do not repeat the path.
   static Result<Source> open(const std::string& path,
                              const InputOptions& options);
 
-  /// "pbm", "tiff", "freeman", "ustp", ...
+  /// "pbm", "tiff", "svg", "freeman", "ustp", ...
   [[nodiscard]] std::string_view format() const { return format_; }
   [[nodiscard]] std::size_t page_count() const;
   [[nodiscard]] bool is_ustp() const { return ustp_.has_value(); }
@@ -40,7 +40,8 @@ class Source {
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
   [[nodiscard]] std::uint32_t crc32() const { return crc32_; }
 
-  /// Page `index`, below page_count(). A Freeman page can be read once.
+  /// Page `index`, below page_count(). A page of vectors can be read once;
+  /// with InputOptions::grid it is one of chains.
   Result<SourcePage> read(std::size_t index);
 
   /// Gives back the memory of a raster file after its last page was read; no
@@ -51,8 +52,9 @@ class Source {
   Source() = default;
   static Result<Source> open_raster(std::vector<std::uint8_t> file,
                                     const InputOptions& options);
-  static Result<Source> open_freeman(const std::vector<std::uint8_t>& file,
-                                     const InputOptions& options);
+  static Result<Source> open_vector(const std::vector<std::uint8_t>& file,
+                                    VectorFormat format,
+                                    const InputOptions& options);
   static Result<Source> recognise(const std::string& path,
                                   std::vector<std::uint8_t> file,
                                   const InputOptions& options);
@@ -61,7 +63,9 @@ class Source {
   std::uint64_t bytes_ = 0;
   std::uint32_t crc32_ = 0;
   std::optional<RasterReader> raster_;
-  std::optional<Drawing> drawing_;
+  std::vector<VectorPage> vectors_;
+  std::optional<Quantity> grid_;
+  std::uint64_t max_steps_ = 0;
   // The reader looks into the bytes, which therefore must not move.
   std::unique_ptr<std::vector<std::uint8_t>> ustp_bytes_;
   std::optional<UstpReader> ustp_;

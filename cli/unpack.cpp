@@ -11,44 +11,49 @@
 namespace unstep::cli {
 namespace {
 
-bool any_page(const FileInfo& info, const std::vector<std::size_t>& pages,
-              PageKind kind) {
-  return std::any_of(pages.begin(), pages.end(), [&](std::size_t page) {
-    return info.pages[page].kind == kind;
-  });
-}
+enum class Nature : std::uint8_t { ink, chains, paths };
 
-RasterFormat raster_format(OutputFormat format) {
-  if (format == OutputFormat::pbm) return RasterFormat::pbm;
-  return format == OutputFormat::png ? RasterFormat::png : RasterFormat::tiff;
+/// What a page is to its user: outlines within a tolerance stand for the ink
+/// that they were made from.
+Nature nature_of(const PageEntry& page) {
+  if (page.kind == PageKind::ink) return Nature::ink;
+  if (page.kind == PageKind::chains) return Nature::chains;
+  const bool outlines = page.paint == Paint::fill && page.canvas.width > 0 &&
+                        page.fidelity.kind != Fidelity::Kind::exact;
+  return outlines ? Nature::ink : Nature::paths;
 }
 
 }  // namespace
 
 Result<OutputFormat> natural_format(const FileInfo& info,
                                     const std::vector<std::size_t>& pages) {
-  const bool ink = any_page(info, pages, PageKind::ink);
-  const bool chains = any_page(info, pages, PageKind::chains);
-  if (ink && chains) {
-    return Error{
-        ErrorCode::unsupported,
-        "holds pages of ink and pages of chains, which no format takes "
-        "together; decompress them one by one with --page N"};
+  const Nature first = nature_of(info.pages[pages.front()]);
+  const bool mixed = std::any_of(pages.begin(), pages.end(), [&](auto page) {
+    return nature_of(info.pages[page]) != first;
+  });
+  if (mixed) {
+    return Error{ErrorCode::unsupported,
+                 "holds pages of ink, chains or lines together; choose --to "
+                 "FORMAT, or decompress them one by one with --page N"};
   }
-  if (chains) return OutputFormat::freeman;
+  if (first == Nature::chains) return OutputFormat::freeman;
+  if (first == Nature::paths) return OutputFormat::svg;
   return pages.size() == 1 ? OutputFormat::png : OutputFormat::tiff;
 }
 
 Status check_kinds(const FileInfo& info, const std::vector<std::size_t>& pages,
                    OutputFormat format) {
-  const bool to_chains = format == OutputFormat::freeman;
-  for (const std::size_t page : pages) {
-    const bool chains = info.pages[page].kind == PageKind::chains;
-    if (chains == to_chains) continue;
+  for (const std::size_t index : pages) {
+    const PageEntry& page = info.pages[index];
+    if (format != OutputFormat::freeman || page.kind != PageKind::paths ||
+        page.fidelity.kind == Fidelity::Kind::device) {
+      continue;
+    }
     return Error{ErrorCode::unsupported,
-                 fmt::format("page {} is {}; it needs --to {}", page + 1,
-                             chains ? "chains" : "ink",
-                             chains ? "fc" : "png, pbm or tif")};
+                 fmt::format("page {} is lines, and Freeman text holds unit "
+                             "steps; choose another --to, or convert it with "
+                             "--grid",
+                             index + 1)};
   }
   return {};
 }
@@ -63,7 +68,7 @@ std::string numbered(const std::string& path, std::size_t number) {
 std::vector<OutputFile> plan_files(const std::string& path,
                                    const std::vector<std::size_t>& pages,
                                    OutputFormat format, bool together) {
-  const bool one_file = pages.size() == 1 || format == OutputFormat::tiff ||
+  const bool one_file = pages.size() == 1 || holds_pages(format) ||
                         (together && format == OutputFormat::pbm);
   if (one_file) return {{path, pages}};
   std::vector<OutputFile> files;
@@ -73,36 +78,25 @@ std::vector<OutputFile> plan_files(const std::string& path,
   return files;
 }
 
-Result<std::vector<std::uint8_t>> unpack(const UstpReader& reader,
-                                         const std::vector<std::size_t>& pages,
-                                         OutputFormat format,
-                                         const std::function<bool()>& next_page,
-                                         std::vector<std::string>& notes) {
-  const std::size_t count = reader.info().pages.size();
+Status unpack(const PageGiver& give, std::size_t count,
+              const std::vector<std::size_t>& pages, PageWriter writer,
+              const std::function<bool()>& next_page,
+              std::vector<std::string>& notes) {
   const auto fail = [count](std::size_t index, const Error& error) {
     return Error{error.code, on_page(index, count, error.message)};
   };
-  if (format == OutputFormat::freeman) {
-    Result<Page> page = reader.read_page(pages.front());
-    if (!page) return fail(pages.front(), page.error());
-    const std::string text = write_freeman(page->drawing);
-    if (!next_page()) return Error{ErrorCode::cancelled, "interrupted"};
-    return std::vector<std::uint8_t>(text.begin(), text.end());
-  }
-  Result<RasterWriter> writer = RasterWriter::create(raster_format(format));
-  if (!writer) return writer.error();
   for (const std::size_t index : pages) {
-    Result<Page> page = reader.read_page(index);
+    Result<Page> page = give(index);
     if (!page) return fail(index, page.error());
     std::vector<std::string> page_notes;
-    const Status added = writer->add_page(page->ink, page->info, &page_notes);
+    const Status added = writer.add(*std::move(page), page_notes);
     if (!added) return fail(index, added.error());
     for (const std::string& note : page_notes) {
       notes.push_back(on_page(index, count, note));
     }
     if (!next_page()) return Error{ErrorCode::cancelled, "interrupted"};
   }
-  return writer->finish();
+  return writer.finish();
 }
 
 }  // namespace unstep::cli

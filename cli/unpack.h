@@ -8,19 +8,21 @@
 
 #include "cli/output_format.h"
 #include "cli/pack.h"
+#include "cli/page_writer.h"
 #include "unstep/codec.h"
 #include "unstep/result.h"
 
-/// The pages of a .ustp file to files of other formats.
+/// Pages to files of other formats than .ustp.
 namespace unstep::cli {
 
-/// The format that holds these pages in one file: PNG for one ink page, TIFF
-/// for several, Freeman text for one page of chains. unsupported, with advice,
-/// if there is none.
+/// The format that holds these pages in one file: PNG for one page of ink,
+/// TIFF for several, Freeman text for one page of chains, SVG for one of
+/// paths; paths made from ink at a tolerance count as ink. unsupported, with
+/// advice, if there is none.
 Result<OutputFormat> natural_format(const FileInfo& info,
                                     const std::vector<std::size_t>& pages);
 
-/// unsupported, with advice, if a page is not of the format's kind.
+/// unsupported, with advice, if a page cannot be turned into the format.
 Status check_kinds(const FileInfo& info, const std::vector<std::size_t>& pages,
                    OutputFormat format);
 
@@ -30,8 +32,8 @@ struct OutputFile {
   std::vector<std::size_t> pages;
 };
 
-/// How pages become files: TIFF takes all of them, PNG, PBM and Freeman text
-/// one each, numbered NAME-0001.png and so on if there are several. With
+/// How pages become files: TIFF, PDF and JSON take all of them, the others one
+/// each, numbered NAME-0001.png and so on if there are several. With
 /// `together` PBM takes all as well, as netpbm's programs do.
 [[nodiscard]] std::vector<OutputFile> plan_files(
     const std::string& path, const std::vector<std::size_t>& pages,
@@ -40,11 +42,14 @@ struct OutputFile {
 /// "dir/page.png" and 3 to "dir/page-0003.png".
 [[nodiscard]] std::string numbered(const std::string& path, std::size_t number);
 
-/// The bytes of one output file. Notes name what the format cannot carry.
-Result<std::vector<std::uint8_t>> unpack(const UstpReader& reader,
-                                         const std::vector<std::size_t>& pages,
-                                         OutputFormat format,
-                                         const std::function<bool()>& next_page,
-                                         std::vector<std::string>& notes);
+/// Gives page `index`.
+using PageGiver = std::function<Result<Page>(std::size_t index)>;
+
+/// Writes the pages to one output file, its bytes as they come. `count`: of the
+/// pages there are, for messages. Notes name what the format cannot carry.
+Status unpack(const PageGiver& give, std::size_t count,
+              const std::vector<std::size_t>& pages, PageWriter writer,
+              const std::function<bool()>& next_page,
+              std::vector<std::string>& notes);
 
 }  // namespace unstep::cli

@@ -21,6 +21,7 @@ struct Context {
 using AddVerb = void (*)(CLI::App& app, Context& context);
 
 void add_compress(CLI::App& app, Context& context);
+void add_convert(CLI::App& app, Context& context);
 void add_decompress(CLI::App& app, Context& context);
 void add_verify(CLI::App& app, Context& context);
 void add_info(CLI::App& app, Context& context);

@@ -32,6 +32,7 @@ constexpr const char* kExamples =
     "  unstep verify archive/*.ustp            each of them; goes on after a\n"
     "                                          damaged one\n"
     "  unstep verify page.tif page.ustp        is it the same drawing?\n"
+    "  unstep verify plan.png plan.ustp        how far are its lines off?\n"
     "  unstep verify --compare old.ustp new.ustp\n";
 
 void say(const VerifyOptions& options, const std::string& line) {
@@ -56,6 +57,12 @@ std::optional<std::string> page_difference(const Page& a, const Page& b,
   }
   return fmt::format("the resolution is {} in the first and {} in the second",
                      describe_resolution(in_a), describe_resolution(in_b));
+}
+
+/// Lines made from ink or chains, and their original.
+bool stands_for(const Page& original, const Page& lines) {
+  return original.kind != PageKind::paths && lines.kind == PageKind::paths &&
+         lines.fidelity.kind != Fidelity::Kind::exact;
 }
 
 /// A page, or the message that there is none.
@@ -87,12 +94,23 @@ ExitCode compare(const VerifyOptions& options) {
     return ExitCode::some_failed;
   }
   const std::size_t count = a->page_count();
+  std::vector<std::string> deviations;
   for (std::size_t i = 0; i < count; ++i) {
     ExitCode code = ExitCode::ok;
     const std::optional<Page> page_a = read_page(*a, i, name_a, code);
     if (!page_a) return code;
     const std::optional<Page> page_b = read_page(*b, i, name_b, code);
     if (!page_b) return code;
+    if (stands_for(*page_a, *page_b)) {
+      const Result<Deviation> found = page_deviation(*page_a, *page_b);
+      if (!found) return report_error(name_b, found.error());
+      deviations.push_back(
+          on_page(i, count, describe_deviation(*found, page_b->fidelity)));
+      if (found->distance <= bound_of(page_b->fidelity)) continue;
+      say(options, fmt::format("{} and {} differ: {}", name_a, name_b,
+                               deviations.back()));
+      return ExitCode::some_failed;
+    }
     const auto difference =
         page_difference(*page_a, *page_b, carries_resolution(*a));
     if (!difference) continue;
@@ -100,8 +118,13 @@ ExitCode compare(const VerifyOptions& options) {
                              on_page(i, count, *difference)));
     return ExitCode::some_failed;
   }
-  say(options, fmt::format("{} and {} are the same: {}", name_a, name_b,
-                           counted(count, "page")));
+  for (const std::string& deviation : deviations) {
+    say(options, fmt::format("{}: {}", name_b, deviation));
+  }
+  say(options,
+      fmt::format("{} and {} are {}: {}", name_a, name_b,
+                  deviations.empty() ? "the same" : "the same within the bound",
+                  counted(count, "page")));
   return ExitCode::ok;
 }
 

@@ -27,6 +27,7 @@ struct CoderName {
 inline constexpr std::uint8_t kCoderStored = 0;    ///< packed rows, deflated
 inline constexpr std::uint8_t kCoderContours = 1;  ///< contours, mixed models
 inline constexpr std::uint8_t kCoderChains = 16;   ///< chains, mixed models
+inline constexpr std::uint8_t kCoderPaths = 24;    ///< paths, mixed models
 
 struct EncodedBlock {
   CoderName name;
@@ -67,5 +68,19 @@ Result<std::vector<Chain>> decode_chains(const CoderName& name,
                                          std::uint64_t count,
                                          std::uint64_t steps, YAxis axis,
                                          const BlockProgress& progress);
+
+/// Encodes paths in their order. invalid_argument for paths that are not valid
+/// (path_checksum.h).
+Result<EncodedBlock> encode_paths(std::span<const Path> paths,
+                                  const BlockProgress& progress);
+
+/// Decodes exactly `count` paths of `elements` elements in all; both were
+/// checked against the limits by the caller. The paths are valid. Every
+/// payload byte must be consumed.
+Result<std::vector<Path>> decode_paths(const CoderName& name,
+                                       std::span<const std::uint8_t> payload,
+                                       std::uint64_t count,
+                                       std::uint64_t elements,
+                                       const BlockProgress& progress);
 
 }  // namespace unstep::codec

@@ -157,12 +157,13 @@ class BlockFormParser {
     PageEntry& page = parsed_.info.pages.back();
     PageEntry::Block block;
     read_coder_name(in, block);
-    std::uint64_t decoded_bytes = 0;
-    if (page.kind == PageKind::chains) {
-      read_chain_counts(in, block);
-      decoded_bytes = chain_bytes(block.chains, block.steps);
-    } else {
+    std::uint64_t decoded_bytes = read_counts(in, page.kind, block);
+    block.box = kEverywhere;
+    if (page.kind == PageKind::ink) {
       read_band(in, page, block);
+      block.box = {0, block.first_row,
+                   static_cast<std::uint32_t>(page.canvas.width),
+                   static_cast<std::uint32_t>(block.rows)};
       decoded_bytes =
           row_bytes(page.canvas.width) * static_cast<std::uint64_t>(block.rows);
     }
@@ -229,15 +230,14 @@ class BlockFormParser {
   }
 
   bool index_entry_matches(ByteReader& in, std::size_t p, std::size_t b) {
-    const PageEntry& page = parsed_.info.pages[p];
-    const PageEntry::Block& block = page.blocks[b];
+    PageEntry& page = parsed_.info.pages[p];
+    PageEntry::Block& block = page.blocks[b];
     if (in.varint("the index", kAnyNumber) != block_starts_[p][b]) return false;
     const Box box = read_box(in);
+    if (page.kind == PageKind::ink) return box == block.box;
     parsed_.proofs[p][b].box = box;
-    return page.kind == PageKind::chains ||
-           box == Box{0, block.first_row,
-                      static_cast<std::uint32_t>(page.canvas.width),
-                      static_cast<std::uint32_t>(block.rows)};
+    block.box = box;
+    return true;
   }
 
   void read_end(ByteReader& in) {

@@ -20,11 +20,11 @@ Result<ParsedFile> parse_short_form(std::uint8_t flags, ByteReader& in,
   PageEntry::Block block;
   read_page_head(flags, in, page);
   read_coder_name(in, block);
-  std::uint64_t decoded_bytes = 0;
-  if (page.kind == PageKind::chains) {
-    read_chain_counts(in, block);
-    decoded_bytes = chain_bytes(block.chains, block.steps);
-  } else {
+  std::uint64_t decoded_bytes = read_counts(in, page.kind, block);
+  block.box = kEverywhere;
+  if (page.kind == PageKind::ink) {
+    block.box = {0, 0, static_cast<std::uint32_t>(page.canvas.width),
+                 static_cast<std::uint32_t>(page.canvas.height)};
     block.rows = page.canvas.height;
     decoded_bytes = row_bytes(page.canvas.width) *
                     static_cast<std::uint64_t>(page.canvas.height);

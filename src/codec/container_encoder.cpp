@@ -6,13 +6,44 @@
 #include "codec/byte_writer.h"
 #include "codec/checksum.h"
 #include "codec/metadata_encoder.h"
+#include "codec/path_checksum.h"
 #include "codec/text_rules.h"
 
 namespace unstep::codec {
 namespace {
 
-bool chains_page(const PageParts& page) {
-  return page.kind == PageKind::chains;
+std::uint8_t kind_flags(const PageParts& page) {
+  if (page.kind == PageKind::ink) return kInkKind;
+  if (page.kind == PageKind::paths) return kPathsKind;
+  return page.canvas.y_axis == YAxis::up ? kChainsUpKind : kChainsKind;
+}
+
+void put_path_head(const PageParts& page, ByteWriter& out) {
+  const bool tolerance = page.fidelity.kind == Fidelity::Kind::tolerance;
+  const Rational& e = page.fidelity.tolerance;
+  auto flags = static_cast<std::uint8_t>(page.fidelity.kind);
+  if (page.canvas.y_axis == YAxis::up) flags |= kPathsUpFlag;
+  if (page.paint == Paint::stroke) flags |= kStrokeFlag;
+  if (page.scale != 1) flags |= kScaleFlag;
+  if (tolerance && e.denominator != 1) flags |= kDenominatorFlag;
+  out.u8(flags);
+  if (tolerance) out.varint(e.numerator);
+  if (tolerance && e.denominator != 1) out.varint(e.denominator);
+  if (page.scale != 1) out.varint(static_cast<std::uint64_t>(page.scale));
+}
+
+/// What of the page a block holds, and how many canonical bytes that is.
+std::uint64_t put_counts(const PageParts& page, const BlockParts& block,
+                         ByteWriter& out) {
+  if (page.kind == PageKind::ink) {
+    return row_bytes(page.canvas.width) *
+           static_cast<std::uint64_t>(block.rows);
+  }
+  const bool chains = page.kind == PageKind::chains;
+  out.varint(chains ? block.chains : block.paths);
+  out.varint(chains ? block.steps : block.elements);
+  return chains ? chain_bytes(block.chains, block.steps)
+                : path_bytes(block.paths, block.elements);
 }
 
 void put_coder_name(const CoderName& name, ByteWriter& out) {
@@ -37,18 +68,18 @@ void put_resolution(const Resolution& resolution, ByteWriter& out) {
   out.varint(resolution.y.denominator);
 }
 
-/// Page flags, canvas, resolution. `other_flags` fill bits 0-4.
+/// Page flags, canvas, resolution, path head. `other_flags` fill bits 0-4.
 void put_page_head(const PageParts& page, std::uint8_t other_flags,
                    ByteWriter& out) {
   std::uint8_t flags = other_flags;
   const bool resolution = page.info.resolution != Resolution{};
   if (resolution) flags |= kResolutionFlag;
-  if (chains_page(page)) flags |= kChainsFlag;
-  if (page.canvas.y_axis == YAxis::up) flags |= kYUpFlag;
+  flags |= kind_flags(page);
   out.u8(flags);
   out.varint(static_cast<std::uint64_t>(page.canvas.width));
   out.varint(static_cast<std::uint64_t>(page.canvas.height));
   if (resolution) put_resolution(page.info.resolution, out);
+  if (page.kind == PageKind::paths) put_path_head(page, out);
 }
 
 /// Type, length, content, CRC of all three.
@@ -80,10 +111,8 @@ void put_payload(const PageParts& page, const BlockParts& block,
                  ByteWriter& out) {
   ByteWriter content;
   put_coder_name(block.encoded.name, content);
-  if (chains_page(page)) {
-    content.varint(block.chains);
-    content.varint(block.steps);
-  } else {
+  put_counts(page, block, content);
+  if (page.kind == PageKind::ink) {
     content.varint(static_cast<std::uint64_t>(block.first_row));
     content.varint(static_cast<std::uint64_t>(block.rows));
   }
@@ -103,11 +132,28 @@ Status check_canvas(PageKind kind, const Canvas& canvas) {
   const bool unbounded = canvas.width == 0 && canvas.height == 0;
   const bool in_range = canvas.width >= 1 && canvas.width <= kMaxCoord &&
                         canvas.height >= 1 && canvas.height <= kMaxCoord;
-  if (!in_range && !(unbounded && kind == PageKind::chains)) {
+  if (!in_range && !(unbounded && kind != PageKind::ink)) {
     return Error{ErrorCode::out_of_range,
                  "canvas of " + std::to_string(canvas.width) + " x " +
                      std::to_string(canvas.height) + "; sides are 1 to " +
                      std::to_string(kMaxCoord)};
+  }
+  return {};
+}
+
+Status check_path_head(const PageParts& page) {
+  if (page.fidelity.kind > Fidelity::Kind::device ||
+      page.fidelity.tolerance.denominator == 0) {
+    return Error{ErrorCode::invalid_argument,
+                 "fidelity of an unknown kind or with a zero denominator"};
+  }
+  if (page.scale < 1 || page.scale > Drawing::kMaxScale) {
+    return Error{ErrorCode::out_of_range,
+                 "scale of " + std::to_string(page.scale) + "; it is 1 to " +
+                     std::to_string(Drawing::kMaxScale)};
+  }
+  if (page.paint > Paint::stroke) {
+    return Error{ErrorCode::invalid_argument, "unknown kind of paint"};
   }
   return {};
 }
@@ -127,8 +173,10 @@ Status check_metadata_total(std::span<const PageParts> pages,
 
 }  // namespace
 
-Status check_page(PageKind kind, const Canvas& canvas, const PageInfo& info) {
-  if (Status valid = check_canvas(kind, canvas); !valid) return valid;
+Status check_page(const PageParts& page) {
+  const PageInfo& info = page.info;
+  if (Status valid = check_canvas(page.kind, page.canvas); !valid) return valid;
+  if (Status valid = check_path_head(page); !valid) return valid;
   if (info.name.size() > kMaxNameBytes) {
     return Error{ErrorCode::limit_exceeded,
                  "page name of " + std::to_string(info.name.size()) +
@@ -159,15 +207,7 @@ std::vector<std::uint8_t> short_form(const PageParts& page) {
   ByteWriter head;
   put_page_head(page, kVersion, head);
   put_coder_name(block.encoded.name, head);
-  std::uint64_t decoded_bytes = 0;
-  if (chains_page(page)) {
-    head.varint(block.chains);
-    head.varint(block.steps);
-    decoded_bytes = chain_bytes(block.chains, block.steps);
-  } else {
-    decoded_bytes = row_bytes(page.canvas.width) *
-                    static_cast<std::uint64_t>(page.canvas.height);
-  }
+  const std::uint64_t decoded_bytes = put_counts(page, block, head);
   ByteWriter out;
   out.bytes(kSignature);
   out.bytes(head.view());

@@ -21,19 +21,24 @@ struct BlockParts {
   std::int32_t rows = 0;
   std::uint64_t chains = 0;  ///< chains
   std::uint64_t steps = 0;
+  std::uint64_t paths = 0;  ///< paths
+  std::uint64_t elements = 0;
 };
 
 struct PageParts {
   PageKind kind = PageKind::ink;
   Canvas canvas;
+  Fidelity fidelity;  ///< paths
+  std::int32_t scale = 1;
+  Paint paint = Paint::fill;
   PageInfo info;
   std::uint32_t checksum = 0;
   std::vector<BlockParts> blocks;
 };
 
-/// What the format cannot hold of a page's canvas and info:
-/// invalid_argument, out_of_range or limit_exceeded.
-Status check_page(PageKind kind, const Canvas& canvas, const PageInfo& info);
+/// What the format cannot hold of a page, its blocks aside: invalid_argument,
+/// out_of_range or limit_exceeded.
+Status check_page(const PageParts& page);
 
 /// True if the short form can hold it.
 [[nodiscard]] bool fits_short_form(std::span<const PageParts> pages,

@@ -3,14 +3,15 @@
 #include <limits>
 
 #include "codec/checksum.h"
+#include "codec/path_checksum.h"
 
 namespace unstep::codec {
 namespace {
 
 constexpr std::uint64_t kMaxU32 = std::numeric_limits<std::uint32_t>::max();
 
-/// chain_bytes of two such counts, and of their sums over the blocks of any
-/// file that fits memory, stays below 2^63.
+/// chain_bytes and path_bytes of two such counts stay below 2^54, and their
+/// sums over the blocks of any file that fits memory below 2^63.
 constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 48;
 
 Rational read_rational(ByteReader& in) {
@@ -46,20 +47,60 @@ Resolution read_resolution(ByteReader& in) {
   return resolution;
 }
 
+Rational read_tolerance(ByteReader& in, bool whole) {
+  Rational value;
+  value.numerator =
+      static_cast<std::uint32_t>(in.varint("the tolerance", kMaxU32));
+  if (whole) return value;
+  const std::uint64_t start = in.position();
+  value.denominator =
+      static_cast<std::uint32_t>(in.varint("the tolerance", kMaxU32));
+  if (value.denominator < 2) {
+    in.fail(ErrorCode::corrupt, start, "tolerance with denominator 0 or 1");
+  }
+  return value;
+}
+
+void read_path_head(ByteReader& in, PageEntry& page) {
+  const std::uint64_t start = in.position();
+  const std::uint8_t flags = in.u8("the head of the paths");
+  const unsigned kind = flags & kFidelityMask;
+  if (kind > static_cast<unsigned>(Fidelity::Kind::device)) {
+    in.fail(ErrorCode::unsupported_version, start, "unknown fidelity");
+    return;
+  }
+  page.fidelity.kind = static_cast<Fidelity::Kind>(kind);
+  const bool tolerance = page.fidelity.kind == Fidelity::Kind::tolerance;
+  const bool whole = (flags & kDenominatorFlag) == 0;
+  if ((flags & ~kPathHeadMask) != 0 || (!tolerance && !whole)) {
+    in.fail(ErrorCode::corrupt, start, "unknown flags of paths");
+  }
+  if ((flags & kPathsUpFlag) != 0) page.canvas.y_axis = YAxis::up;
+  if ((flags & kStrokeFlag) != 0) page.paint = Paint::stroke;
+  if (tolerance) page.fidelity.tolerance = read_tolerance(in, whole);
+  if ((flags & kScaleFlag) == 0) return;
+  const std::uint64_t scale_start = in.position();
+  page.scale =
+      static_cast<std::int32_t>(in.varint("the scale", Drawing::kMaxScale));
+  if (page.scale < 2) {
+    in.fail(ErrorCode::corrupt, scale_start, "scale below 2");
+  }
+}
+
 }  // namespace
 
 void read_page_head(std::uint8_t flags, ByteReader& in, PageEntry& page) {
   const std::uint64_t start = in.position();
-  page.kind = (flags & kChainsFlag) != 0 ? PageKind::chains : PageKind::ink;
-  page.canvas.y_axis = (flags & kYUpFlag) != 0 ? YAxis::up : YAxis::down;
+  const unsigned kind = flags & kKindMask;
+  page.kind = kind == kInkKind     ? PageKind::ink
+              : kind == kPathsKind ? PageKind::paths
+                                   : PageKind::chains;
+  if (kind == kChainsUpKind) page.canvas.y_axis = YAxis::up;
   page.canvas.width =
       static_cast<std::int32_t>(in.varint("the width", kMaxCoord));
   page.canvas.height =
       static_cast<std::int32_t>(in.varint("the height", kMaxCoord));
   const bool ink = page.kind == PageKind::ink;
-  if (ink && page.canvas.y_axis == YAxis::up) {
-    in.fail(ErrorCode::corrupt, start - 1, "ink page with y up");
-  }
   const bool empty = page.canvas.width == 0 || page.canvas.height == 0;
   const bool unbounded = page.canvas.width == 0 && page.canvas.height == 0;
   if (ink ? empty : empty && !unbounded) {
@@ -68,6 +109,7 @@ void read_page_head(std::uint8_t flags, ByteReader& in, PageEntry& page) {
   if ((flags & kResolutionFlag) != 0) {
     page.info.resolution = read_resolution(in);
   }
+  if (page.kind == PageKind::paths) read_path_head(in, page);
 }
 
 void read_coder_name(ByteReader& in, PageEntry::Block& block) {
@@ -87,9 +129,19 @@ void read_coder_name(ByteReader& in, PageEntry::Block& block) {
   }
 }
 
-void read_chain_counts(ByteReader& in, PageEntry::Block& block) {
-  block.chains = in.varint("the number of chains", kMaxCount);
-  block.steps = in.varint("the number of steps", kMaxCount);
+std::uint64_t read_counts(ByteReader& in, PageKind kind,
+                          PageEntry::Block& block) {
+  if (kind == PageKind::chains) {
+    block.chains = in.varint("the number of chains", kMaxCount);
+    block.steps = in.varint("the number of steps", kMaxCount);
+    return chain_bytes(block.chains, block.steps);
+  }
+  if (kind == PageKind::paths) {
+    block.paths = in.varint("the number of paths", kMaxCount);
+    block.elements = in.varint("the number of elements", kMaxCount);
+    return path_bytes(block.paths, block.elements);
+  }
+  return 0;
 }
 
 Box read_box(ByteReader& in) {

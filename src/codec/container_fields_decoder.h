@@ -9,15 +9,17 @@
 /// stick in the ByteReader.
 namespace unstep::codec {
 
-/// Kind, canvas and resolution (docs/format.md, Page head). `flags` is the
-/// byte already read; bits 0-4 are the caller's.
+/// Kind, canvas, resolution and path head (docs/format.md, Page head). `flags`
+/// is the byte already read; bits 0-4 are the caller's.
 void read_page_head(std::uint8_t flags, ByteReader& in, PageEntry& page);
 
 /// Coder, revision and table.
 void read_coder_name(ByteReader& in, PageEntry::Block& block);
 
-/// How many chains and steps a payload block holds.
-void read_chain_counts(ByteReader& in, PageEntry::Block& block);
+/// How many chains and steps, or paths and elements, a payload holds; ink has
+/// neither. Gives the canonical bytes of such a payload, 0 for ink.
+std::uint64_t read_counts(ByteReader& in, PageKind kind,
+                          PageEntry::Block& block);
 
 Box read_box(ByteReader& in);
 

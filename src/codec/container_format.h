@@ -20,10 +20,22 @@ inline constexpr std::uint8_t kVersion = 0;
 inline constexpr std::uint8_t kVersionMask = 0x0f;
 inline constexpr std::uint8_t kBlockFormFlag = 0x10;
 
-/// Page flags.
+/// Page flags. Bits 6 and 7 together say what the page holds; the y axis of
+/// paths is in their path head.
 inline constexpr std::uint8_t kResolutionFlag = 0x20;
-inline constexpr std::uint8_t kChainsFlag = 0x40;
-inline constexpr std::uint8_t kYUpFlag = 0x80;
+inline constexpr std::uint8_t kKindMask = 0xc0;
+inline constexpr std::uint8_t kInkKind = 0x00;
+inline constexpr std::uint8_t kChainsKind = 0x40;
+inline constexpr std::uint8_t kPathsKind = 0x80;
+inline constexpr std::uint8_t kChainsUpKind = 0xc0;  ///< chains, y up
+
+/// Path head.
+inline constexpr std::uint8_t kFidelityMask = 0x03;
+inline constexpr std::uint8_t kPathsUpFlag = 0x04;
+inline constexpr std::uint8_t kStrokeFlag = 0x08;
+inline constexpr std::uint8_t kScaleFlag = 0x10;
+inline constexpr std::uint8_t kDenominatorFlag = 0x20;
+inline constexpr std::uint8_t kPathHeadMask = 0x3f;
 
 /// Block types. A set optional bit lets a reader that does not know the type
 /// skip the block.
@@ -55,6 +67,15 @@ inline constexpr std::uint64_t kMaxMetadataTotal = 16U << 20;
 
 /// Above this many pixels a page is cut into bands unless told otherwise.
 inline constexpr std::uint64_t kAutoBandPixels = std::uint64_t{1} << 26;
+
+/// Groups of chains and of paths are closed once they hold so much, so that a
+/// part of a large page can be read alone.
+inline constexpr std::uint64_t kGroupSteps = std::uint64_t{1} << 20;
+inline constexpr std::uint64_t kGroupElements = std::uint64_t{1} << 16;
+
+/// The box of a block of which the file does not say where it is.
+inline constexpr Box kEverywhere{-kMaxCoord, -kMaxCoord, 2U * kMaxCoord,
+                                 2U * kMaxCoord};
 
 /// Bytes of a row of an ink page in its canonical form (PBM's).
 [[nodiscard]] constexpr std::uint64_t row_bytes(std::int32_t width) {

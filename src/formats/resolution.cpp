@@ -48,6 +48,21 @@ std::string to_string(const Resolution& resolution) {
   return sides;
 }
 
+std::optional<GridUnit> grid_unit(const Resolution& resolution,
+                                  double per_inch) {
+  double units = 0;
+  switch (resolution.unit) {
+    case Resolution::Unit::none: return std::nullopt;
+    case Resolution::Unit::inch: units = per_inch; break;
+    case Resolution::Unit::centimetre: units = per_inch / 2.54; break;
+    case Resolution::Unit::metre: units = per_inch / 0.0254; break;
+  }
+  const auto units_at = [units](const Rational& density) {
+    return units * density.denominator / density.numerator;
+  };
+  return GridUnit{units_at(resolution.x), units_at(resolution.y)};
+}
+
 Resolution transposed(const Resolution& resolution) {
   return {resolution.y, resolution.x, resolution.unit};
 }

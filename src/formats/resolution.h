@@ -31,6 +31,15 @@ struct RoundedRational {
 /// The value with x and y exchanged.
 [[nodiscard]] Resolution transposed(const Resolution& resolution);
 
+/// Units of 1 / `per_inch` inch that a grid unit takes along x and y. Nothing
+/// without a unit of length. REQUIRES: is_usable(resolution).
+struct GridUnit {
+  double x = 1;
+  double y = 1;
+};
+[[nodiscard]] std::optional<GridUnit> grid_unit(const Resolution& resolution,
+                                                double per_inch);
+
 /// True if both parts of both rationals make numbers above 0.
 [[nodiscard]] bool is_usable(const Resolution& resolution);
 

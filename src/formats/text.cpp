@@ -76,6 +76,22 @@ std::string to_utf8(std::string_view text) {
   return is_utf8(text) ? std::string(text) : latin1_to_utf8(text);
 }
 
+std::u32string code_points(std::string_view text) {
+  std::u32string points;
+  while (!text.empty()) {
+    const std::size_t length = sequence_length(text);
+    const auto first = static_cast<unsigned char>(text[0]);
+    // The lead byte keeps 7, 5, 4 or 3 bits.
+    char32_t point = length == 1 ? first : first & (0x7fU >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+      point = point << 6 | (static_cast<unsigned char>(text[i]) & 0x3fU);
+    }
+    points += point;
+    text.remove_prefix(length);
+  }
+  return points;
+}
+
 void add_metadata(Metadata& metadata, const std::string& key,
                   const std::string& value) {
   for (auto& [known, text] : metadata) {

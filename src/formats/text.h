@@ -18,6 +18,9 @@ namespace unstep {
 /// The text if it is UTF-8, else read as Latin-1.
 [[nodiscard]] std::string to_utf8(std::string_view text);
 
+/// REQUIRES: is_utf8(text).
+[[nodiscard]] std::u32string code_points(std::string_view text);
+
 /// Keys are unique: the value of a repeated key is appended after a newline.
 void add_metadata(Metadata& metadata, const std::string& key,
                   const std::string& value);

@@ -1,5 +1,6 @@
 #include <string>
 
+#include "render/parity.h"
 #include "unstep/trace.h"
 
 namespace unstep {
@@ -49,19 +50,6 @@ Status flip_cracks(const Chain& contour, std::size_t index, Bitmap& cracks) {
   return {};
 }
 
-/// Every pixel becomes the parity of the cracks on its left.
-void fill_row(std::span<std::uint64_t> row, std::uint64_t last_word_mask) {
-  std::uint64_t carry = 0;
-  for (std::uint64_t& word : row) {
-    for (const unsigned shift : {1U, 2U, 4U, 8U, 16U, 32U}) {
-      word ^= word >> shift;
-    }
-    word ^= carry;
-    carry = (word & 1) != 0 ? ~std::uint64_t{0} : 0;
-  }
-  row.back() &= last_word_mask;
-}
-
 }  // namespace
 
 Result<Bitmap> fill_contours(std::span<const Chain> contours,
@@ -73,7 +61,7 @@ Result<Bitmap> fill_contours(std::span<const Chain> contours,
     if (!flipped) return flipped.error();
   }
   for (std::int32_t y = 0; y < height; ++y) {
-    fill_row(ink->row(y), ink->last_word_mask());
+    render::fill_row(ink->row(y), ink->last_word_mask());
   }
   return ink;
 }

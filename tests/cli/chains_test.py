@@ -42,10 +42,23 @@ class Chains(harness.CliTest):
         self.assertIn(": 1 page, 0 chains, 0 steps, ", result.out)
         self.expect(["verify", "-q", "empty.fc", "empty.ustp"])
 
-    def test_chains_are_no_raster(self):
-        self.expect_error(
-            ["decompress", "chains.ustp", "--to", "png"], 3,
-            "unstep: chains.ustp: page 1 is chains; it needs --to fc\n")
+    def test_chains_are_drawn_in_a_raster(self):
+        self.expect(["decompress", "chains.ustp", "--to", "pbm"],
+                    out="chains.ustp -> chains.pbm: 1 page\n")
+        rows = ["." * 20] * 20
+        def ink(x, y):
+            rows[y] = rows[y][:x] + "#" + rows[y][x + 1:]
+        for x, y in [(3, 4), (4, 4), (5, 4), (5, 5), (5, 6), (4, 6), (3, 6),
+                     (3, 5), (10, 10), (11, 10), (12, 9), (12, 8), (11, 7),
+                     (10, 7), (9, 8), (9, 9)]:
+            ink(x, y)
+        self.assertEqual(self.read("chains.pbm"), pbm(rows))
+
+    def test_closed_4_connected_chains_are_filled(self):
+        self.write("square.fc", b"canvas 8 4 down\nclosed4 1 1: 00664422\n")
+        self.expect(["convert", "square.fc", "square.pbm", "-q"])
+        self.assertEqual(self.read("square.pbm"), pbm(
+            ["........", ".##.....", ".##.....", "........"]))
 
     def test_truncated_at_every_byte(self):
         self.check_truncated(self.read("chains.ustp"))

@@ -49,8 +49,9 @@ class Decompress(harness.CliTest):
     def test_name_without_format(self):
         self.expect_error(
             ["decompress", "page.ustp", "-o", "a.jpg"], 2,
-            "unstep: a.jpg: the name does not end in .png, .pbm, .tif or .fc; "
-            "say --to FORMAT (see unstep decompress --help)\n")
+            "unstep: a.jpg: the name's ending is not png, pbm, tif, svg, dxf, "
+            "pdf, hpgl, json or fc; say --to FORMAT (see unstep decompress "
+            "--help)\n")
 
     def test_pages_to_png_are_numbered(self):
         for word in ["png", "pbm"]:
@@ -109,11 +110,11 @@ class Decompress(harness.CliTest):
             "unstep: book.ustp: has 3 pages, and standard output takes one "
             "png file; choose --page N, or --to tif\n")
 
-    def test_kinds_that_do_not_fit(self):
-        self.expect_error(
-            ["decompress", "page.ustp", "--to", "fc"], 3,
-            "unstep: page.ustp: page 1 is ink; it needs --to png, pbm or "
-            "tif\n")
+    def test_ink_becomes_its_contours_in_chain_text(self):
+        self.expect(["decompress", "page.ustp", "--to", "fc"],
+                    out="page.ustp -> page.fc: 1 page\n")
+        self.expect(["convert", "page.fc", "again.pbm", "-q"])
+        self.assertEqual(self.read("again.pbm"), self.pages[0])
 
     def test_existing_output_is_refused_before_anything_is_written(self):
         self.write("book-0002.png", b"precious")

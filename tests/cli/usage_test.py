@@ -79,11 +79,12 @@ class Usage(harness.CliTest):
             "(see unstep compress --help)\n")
 
     def test_bad_kind_and_format(self):
-        self.bad_option("--from", "svg", "'svg' is neither raster nor freeman")
+        self.bad_option("--from", "pdf", "'pdf' is not raster, svg, dxf, hpgl, "
+                        "json or freeman")
         self.expect_error(
             ["decompress", "a.ustp", "--to", "jpg"], 2,
-            "unstep: --to: 'jpg' is not png, pbm, tif or fc "
-            "(see unstep decompress --help)\n")
+            "unstep: --to: 'jpg' is not png, pbm, tif, svg, dxf, pdf, hpgl, "
+            "json or fc (see unstep decompress --help)\n")
 
 
 if __name__ == "__main__":

@@ -92,8 +92,25 @@ TEST(HostileShortForm, ImpossibleNumbersAreErrors) {
                   corrupt, "exceeds 64 bits");
   expect_bad_head({0, 0, 8, 0}, corrupt, "side of 0");
   expect_bad_head({0, 8, 0, 0}, corrupt, "side of 0");
-  expect_bad_head({codec::kYUpFlag, 8, 8, 0}, corrupt, "y up");
-  expect_bad_head({codec::kChainsFlag, 0, 8, 16, 0, 0}, corrupt, "side of 0");
+  expect_bad_head({codec::kChainsKind, 0, 8, 16, 0, 0}, corrupt, "side of 0");
+  expect_bad_head({codec::kPathsKind, 8, 0, 0, 24, 0, 0}, corrupt, "side of 0");
+}
+
+TEST(HostileShortForm, ImpossiblePathHeadsAreErrors) {
+  const std::uint8_t kind = codec::kPathsKind;
+  const ErrorCode corrupt = ErrorCode::corrupt;
+  expect_bad_head({kind, 8, 8, 3, 24, 0, 0}, ErrorCode::unsupported_version,
+                  "unknown fidelity");
+  expect_bad_head({kind, 8, 8, 0x40, 24, 0, 0}, corrupt, "unknown flags");
+  expect_bad_head({kind, 8, 8, 0x80, 24, 0, 0}, corrupt, "unknown flags");
+  expect_bad_head({kind, 8, 8, 0x20, 1, 2, 24, 0, 0}, corrupt, "unknown flags");
+  expect_bad_head({kind, 8, 8, 0x21, 1, 0, 24, 0, 0}, corrupt,
+                  "denominator 0 or 1");
+  expect_bad_head({kind, 8, 8, 0x21, 1, 1, 24, 0, 0}, corrupt,
+                  "denominator 0 or 1");
+  expect_bad_head({kind, 8, 8, 0x10, 1, 24, 0, 0}, corrupt, "scale below 2");
+  expect_bad_head({kind, 8, 8, 0x10, 0x81, 0x80, 0x40, 24, 0, 0}, corrupt,
+                  "at most 1048576");
 }
 
 TEST(HostileShortForm, ImpossibleResolutionsAreErrors) {
@@ -142,7 +159,7 @@ TEST(HostileShortForm, HugeDimensionsAreRefusedBeforeAllocation) {
 
 TEST(HostileShortForm, ManyChainsAndStepsAreRefusedBeforeAllocation) {
   // 2^48 chains; then 2^48 steps; then more than the format can count.
-  const std::uint8_t flag = codec::kChainsFlag;
+  const std::uint8_t flag = codec::kChainsKind;
   const Bytes big{0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x40};
   Bytes chains{flag, 8, 8, 16};
   chains.insert(chains.end(), big.begin(), big.end());
@@ -153,6 +170,24 @@ TEST(HostileShortForm, ManyChainsAndStepsAreRefusedBeforeAllocation) {
   expect_error(forge(steps, 0, 0, {}), ErrorCode::limit_exceeded, "steps");
   steps.back() = 0x41;
   expect_bad_head(steps, ErrorCode::corrupt, "at most");
+}
+
+TEST(HostileShortForm, ManyPathsAndElementsAreRefusedBeforeAllocation) {
+  const std::uint8_t flag = codec::kPathsKind;
+  const Bytes big{0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x40};
+  Bytes paths{flag, 8, 8, 0, 24};
+  paths.insert(paths.end(), big.begin(), big.end());
+  paths.push_back(0);
+  expect_error(forge(paths, 0, 0, {}), ErrorCode::limit_exceeded, "memory");
+  Bytes elements{flag, 8, 8, 0, 24, 1};
+  elements.insert(elements.end(), big.begin(), big.end());
+  expect_error(forge(elements, 0, 0, {}), ErrorCode::limit_exceeded,
+               "elements");
+  // Few enough, but of more bytes than there may be: 2^19 of 32 bytes.
+  expect_error(forge({flag, 8, 8, 0, 24, 1, 0x80, 0x80, 0x20}, 0, 0, {}),
+               ErrorCode::limit_exceeded, "memory");
+  elements.back() = 0x41;
+  expect_bad_head(elements, ErrorCode::corrupt, "at most");
 }
 
 TEST(HostileShortForm, WrongChecksumIsAnError) {

@@ -6,10 +6,12 @@
 
 #include "codec/block_coder.h"
 #include "codec/checksum.h"
+#include "codec/path_checksum.h"
 #include "fuzz/target.h"
 
 /// One payload, behind no checksum: 3 bytes of coder name, 4 bytes of size
-/// (width and rows, or chains and steps, little-endian), the payload.
+/// (width and rows, chains and steps, or paths and elements, little-endian),
+/// the payload.
 namespace unstep::fuzz {
 namespace {
 
@@ -17,8 +19,9 @@ constexpr std::size_t kHeadBytes = 7;
 
 /// The first byte picks among the known coders; one in eight is taken as is.
 codec::CoderName name_of(std::span<const std::uint8_t> head) {
-  constexpr std::array<std::uint8_t, 3> kKnown{
-      codec::kCoderStored, codec::kCoderContours, codec::kCoderChains};
+  constexpr std::array<std::uint8_t, 4> kKnown{
+      codec::kCoderStored, codec::kCoderContours, codec::kCoderChains,
+      codec::kCoderPaths};
   const std::uint8_t pick = head[0];
   const std::uint8_t coder =
       pick % 8 == 7 ? pick / 8 : kKnown[pick % kKnown.size()];
@@ -57,6 +60,17 @@ void decode_chains(const codec::CoderName& name, std::uint32_t count,
   require(found == steps, "as many steps as declared");
 }
 
+void decode_paths(const codec::CoderName& name, std::uint32_t count,
+                  std::uint32_t elements,
+                  std::span<const std::uint8_t> payload) {
+  const auto paths = codec::decode_paths(name, payload, count, elements, {});
+  if (!paths) return require_sound(paths.error());
+  require(paths->size() == count, "as many paths as declared");
+  const auto survey = codec::survey_paths(*paths, {});
+  require(bool{survey}, "decoded paths are valid");
+  require(survey->elements == elements, "as many elements as declared");
+}
+
 }  // namespace
 }  // namespace unstep::fuzz
 
@@ -69,7 +83,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const std::uint32_t first = input[3] | std::uint32_t{input[4]} << 8;
   const std::uint32_t second = input[5] | std::uint32_t{input[6]} << 8;
   const auto payload = input.subspan(kHeadBytes);
-  if (name.coder >= unstep::codec::kCoderChains) {
+  if (name.coder >= unstep::codec::kCoderPaths) {
+    decode_paths(name, first, second, payload);
+  } else if (name.coder >= unstep::codec::kCoderChains) {
     decode_chains(name, first, second, payload);
   } else {
     decode_ink(name, first + 1, second + 1, payload);

@@ -112,7 +112,8 @@ std::vector<codec::PageParts> parts_of(const Bytes& file) {
   for (std::size_t p = 0; p < parsed.info.pages.size(); ++p) {
     const PageEntry& entry = parsed.info.pages[p];
     codec::PageParts page{
-        entry.kind, entry.canvas, entry.info, entry.checksum, {}};
+        entry.kind,  entry.canvas, entry.fidelity, entry.scale,
+        entry.paint, entry.info,   entry.checksum, {}};
     for (std::size_t b = 0; b < entry.blocks.size(); ++b) {
       const PageEntry::Block& from = entry.blocks[b];
       codec::BlockParts block;
@@ -122,11 +123,13 @@ std::vector<codec::PageParts> parts_of(const Bytes& file) {
       block.encoded.payload.assign(
           start, start + static_cast<std::ptrdiff_t>(from.bytes));
       block.checksum = parsed.proofs[p][b].checksum;
-      block.box = parsed.proofs[p][b].box.value_or(Box{});
+      block.box = from.box;
       block.first_row = from.first_row;
       block.rows = from.rows;
       block.chains = from.chains;
       block.steps = from.steps;
+      block.paths = from.paths;
+      block.elements = from.elements;
       page.blocks.push_back(std::move(block));
     }
     pages.push_back(std::move(page));

@@ -116,7 +116,8 @@ TEST(UstpWriter, RefusesInvalidDrawings) {
     return Drawing{{}, {std::move(chain)}, {}};
   };
   const ErrorCode invalid = ErrorCode::invalid_argument;
-  EXPECT_EQ(add_code(Drawing{{}, {}, {Path{}}, 1, Paint::fill}), invalid);
+  EXPECT_EQ(add_code(Drawing{{}, {Chain{}}, {Path{}}, 1, Paint::fill}),
+            invalid);
   EXPECT_EQ(add_code(drawing({{0, 0}, Connectivity::four, false, {0, 1}})),
             invalid);
   EXPECT_EQ(add_code(drawing({{0, 0}, Connectivity::eight, false, {8}})),

@@ -184,6 +184,24 @@ Result<Drawing> step_paths(const Drawing& drawing, const StepOptions& options);
 /// benchmarks. REQUIRES: out.size() >= step_count(Method::device, segment).
 std::size_t device_steps_reference(Segment segment, std::span<Step> out);
 
+/// Whether the invariant of a digital straight segment holds: all that
+/// interpolate() asks of values from elsewhere. invalid_argument with the
+/// reason.
+Status validate(const DigitalSegment& segment);
+
+/// Bulk form for digital straight segments: the steps of all of them one after
+/// another, by the closed form of DigitalSegment, for any valid values.
+/// Returns the steps written. invalid_argument naming the segment's index if
+/// one is not valid, limit_exceeded if `out` is too short; nothing is written
+/// then. `out` beyond the steps is unspecified.
+Result<std::size_t> interpolate(std::span<const DigitalSegment> segments,
+                                std::span<Step> out);
+
+/// The plain loop, an addition and a comparison per step: the reference of the
+/// form above. REQUIRES: validate(segment), out.size() >= segment.n.
+std::size_t digital_segment_steps_reference(const DigitalSegment& segment,
+                                            std::span<Step> out);
+
 /// Word length of linear digit-by-digit interpolation: the digits of the
 /// largest increment, Vk * Tk / dz. 10 m/min, 10 ms, 1 um: 11. SEEDS D3.
 /// REQUIRES: all > 0, in units that cancel (metres, seconds).

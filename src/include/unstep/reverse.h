@@ -125,17 +125,35 @@ using GateReverse = BasicDeviceReverse<GateNet>;
 Result<std::vector<Segment>> reverse_device(std::span<const Step> steps);
 
 /// Exact reverse interpolation: the longest digital straight segments, one
-/// after the other, found with the first step that does not fit. Constant
-/// memory. interpolate() of the segments gives exactly the steps.
+/// after the other, found with the first step that does not fit. interpolate()
+/// of the segments gives exactly the steps. Constant memory, constant time per
+/// step. I. Debled-Rennesson and J.-P. Reveilles, "A linear algorithm for
+/// segmentation of digital curves", 1995.
+///
+///     ExactReverse exact(Connectivity::eight);
+///     DigitalSegment segment;
+///     for (Step step : stream)
+///       if (exact.push(step, segment) == Pushed::segment) use(segment);
+///     if (exact.finish(segment)) use(segment);
+///
+/// A segment has at most 2^32 - 1 steps; a longer one is split there. In every
+/// segment found s0 is its first step, gcd(a, w) is 1 and w <= n; a segment of
+/// equal steps has s1 == s0, a == 0, w == 1.
 class ExactReverse {
  public:
   explicit ExactReverse(Connectivity connectivity);
 
-  /// Takes one step. Pushed::refused, nothing changed, if the step is no code
-  /// of the connectivity.
+  /// Takes one step. Pushed::segment: `closed` is the segment before this
+  /// step, which opens the next one. Pushed::refused, nothing changed, if the
+  /// step is no code of the connectivity.
   Pushed push(Step step, DigitalSegment& closed);
 
-  /// End of message. True if a segment was open: it is written.
+  /// The segment of the steps since the last one closed; n == 0 if there are
+  /// none.
+  [[nodiscard]] DigitalSegment open() const;
+
+  /// End of message. True if a segment was open: it is written, and the next
+  /// message may begin.
   bool finish(DigitalSegment& closed);
 
  private:
@@ -144,14 +162,18 @@ class ExactReverse {
 };
 
 /// The segments of a whole chain. On a closed chain the first segment may
-/// start anywhere: `start` is the index of its first step, chosen so that
-/// there are few segments; 0 on open chains.
+/// start anywhere: `start` is the index of its first step, and segments run
+/// across the chain's own end; 0 on open chains.
 struct DigitalSegments {
   std::size_t start = 0;
   std::vector<DigitalSegment> segments;
 };
 
-/// Greedy and maximal: no segment but the last could be a step longer.
+/// Greedy and maximal: no segment but the last could be a step longer. On an
+/// open chain that is the least number of segments, the same as ExactReverse
+/// gives. On a closed chain the start is chosen so that their number is the
+/// least of all starts; only where looking for it would take more than eight
+/// laps it may be one more. Linear time.
 /// invalid_argument naming the step's index if it does not fit the
 /// connectivity.
 Result<DigitalSegments> reverse_exact(const Chain& chain);

@@ -36,12 +36,28 @@ Status trace_contours(const Bitmap& ink, const ContourVisitor& visit);
 Result<Bitmap> fill_contours(std::span<const Chain> contours,
                              std::int32_t width, std::int32_t height);
 
-/// Draws the closed paths of a drawing by even-odd filling: a pixel is ink if
-/// its centre is inside (Paint::fill), or, by pens with round ends, if its
-/// centre is at most half the pen's width from a path (Paint::stroke; width 0
-/// draws the pixels of an 8-connected line). Exact in integers; arcs are
-/// flattened to within 1/64 of a grid unit. invalid_argument for a canvas
-/// without size.
+/// Draws the paths of a drawing (not its chains) on its canvas. Pixel (x, y)
+/// covers the grid unit from (x, y) to (x + 1, y + 1); with YAxis::up the
+/// canvas is the same, its last row at the bottom.
+///
+/// Paint::fill: the closed paths together, by even-odd filling: a pixel is ink
+/// if its centre is inside. A centre on a line counts as right of it, one level
+/// with a corner as below it (as numbers y grow, if down), so that polygons
+/// that share edges share no pixel. A path along the cracks of a contour fills
+/// what fill_contours() fills. Open paths are left out.
+/// Paint::stroke: every path by a pen with round ends: a pixel is ink if its
+/// centre is at most half the width from the path. Width 0 draws an 8-connected
+/// line of the pixels (x, y) nearest to the points (x, y) of the path, so that
+/// a path along pixels draws these pixels.
+///
+/// Exact in integers; arcs are flattened to within 1/64 of a grid unit. Paths
+/// may leave the canvas: time is bounded by their elements and what is seen of
+/// them (rows each crosses; for strokes times the logarithm of the width),
+/// memory by the canvas.
+///
+/// invalid_argument for a canvas without size or, when filling, a closed path
+/// that does not return; out_of_range for coordinates outside their range, a
+/// negative width or a scale outside 1..kMaxScale.
 Result<Bitmap> render_paths(const Drawing& drawing);
 
 }  // namespace unstep

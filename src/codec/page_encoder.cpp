@@ -1,0 +1,252 @@
+#include "codec/page_encoder.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "codec/block_coder.h"
+#include "codec/checksum.h"
+#include "codec/parallel.h"
+#include "codec/path_checksum.h"
+#include "codec/proof.h"
+
+namespace unstep::codec {
+namespace {
+
+constexpr DecodeLimits kNoLimits{std::numeric_limits<std::uint64_t>::max(),
+                                 std::numeric_limits<std::uint64_t>::max(),
+                                 std::numeric_limits<std::uint64_t>::max()};
+
+std::uint64_t passes(const EncodeOptions& options) {
+  return options.verify ? 2 : 1;
+}
+
+std::int32_t band_count(const Bitmap& ink, int wanted) {
+  const std::uint64_t automatic =
+      (ink.pixels() + kAutoBandPixels - 1) / kAutoBandPixels;
+  const std::uint64_t count =
+      wanted == 0 ? automatic : static_cast<std::uint64_t>(wanted);
+  return static_cast<std::int32_t>(
+      std::min(count, static_cast<std::uint64_t>(ink.height())));
+}
+
+/// Bands of equal height, but for a row.
+std::vector<BlockParts> cut_bands(const Bitmap& ink, int wanted) {
+  const std::int32_t count = band_count(ink, wanted);
+  std::vector<BlockParts> bands(static_cast<std::size_t>(count));
+  std::int32_t row = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    BlockParts& band = bands[static_cast<std::size_t>(i)];
+    band.first_row = row;
+    band.rows = (ink.height() - row) / (count - i);
+    band.box = {0, row, static_cast<std::uint32_t>(ink.width()),
+                static_cast<std::uint32_t>(band.rows)};
+    row += band.rows;
+  }
+  return bands;
+}
+
+Status prove_band(const Bitmap& ink, const BlockParts& band,
+                  const BlockProgress& progress) {
+  const Status same =
+      verify_ink(band.encoded.name, band.encoded.payload, ink, band.first_row,
+                 band.rows, kNoLimits, progress);
+  if (!same) return proof_failed(same.error());
+  return ProgressSum::complete(progress, static_cast<std::uint64_t>(band.rows));
+}
+
+/// What chains and paths differ in. `Item` is one of them, its parts are its
+/// steps or elements.
+struct Chains {
+  using Item = Chain;
+  static constexpr std::uint64_t kGroupParts = kGroupSteps;
+
+  static std::span<const Chain> items(const Drawing& d) { return d.chains; }
+  static std::size_t parts(const Chain& chain) { return chain.steps.size(); }
+  static Status survey(const Drawing& drawing, std::span<const Chain> chains,
+                       BlockParts& block) {
+    const auto survey = survey_chains(chains, drawing.canvas.y_axis);
+    if (!survey) return survey.error();
+    block.chains = chains.size();
+    block.steps = survey->steps;
+    block.box = survey->box;
+    block.checksum = crc_chains(chains);
+    return {};
+  }
+  static std::uint64_t bytes(const BlockParts& block) {
+    return chain_bytes(block.chains, block.steps);
+  }
+  static Result<EncodedBlock> encode(const Drawing& drawing,
+                                     std::span<const Chain> chains,
+                                     const BlockProgress& progress) {
+    return encode_chains(chains, drawing.canvas.y_axis, progress);
+  }
+  static Result<std::vector<Chain>> decode(const Drawing& drawing,
+                                           const BlockParts& block,
+                                           const BlockProgress& progress) {
+    return decode_chains(block.encoded.name, block.encoded.payload,
+                         block.chains, block.steps, drawing.canvas.y_axis,
+                         progress);
+  }
+  static bool same(std::span<const Chain> a, std::span<const Chain> b) {
+    return std::ranges::equal(a, b);
+  }
+};
+
+struct Paths {
+  using Item = Path;
+  static constexpr std::uint64_t kGroupParts = kGroupElements;
+
+  static std::span<const Path> items(const Drawing& d) { return d.paths; }
+  static std::size_t parts(const Path& path) { return path.elements.size(); }
+  static Status survey(const Drawing& drawing, std::span<const Path> paths,
+                       BlockParts& block) {
+    const auto survey = survey_paths(
+        paths, {drawing.canvas.y_axis, drawing.scale, drawing.paint});
+    if (!survey) return survey.error();
+    block.paths = paths.size();
+    block.elements = survey->elements;
+    block.box = survey->box;
+    block.checksum = crc_paths(paths);
+    return {};
+  }
+  static std::uint64_t bytes(const BlockParts& block) {
+    return path_bytes(block.paths, block.elements);
+  }
+  static Result<EncodedBlock> encode(const Drawing& /*drawing*/,
+                                     std::span<const Path> paths,
+                                     const BlockProgress& progress) {
+    return encode_paths(paths, progress);
+  }
+  static Result<std::vector<Path>> decode(const Drawing& /*drawing*/,
+                                          const BlockParts& block,
+                                          const BlockProgress& progress) {
+    return decode_paths(block.encoded.name, block.encoded.payload, block.paths,
+                        block.elements, progress);
+  }
+  static bool same(std::span<const Path> a, std::span<const Path> b) {
+    return same_paths(a, b);
+  }
+};
+
+/// Groups in order, each closed once it has enough; at least one.
+template <class Kind>
+std::vector<std::span<const typename Kind::Item>> cut_groups(
+    const Drawing& drawing) {
+  const auto items = Kind::items(drawing);
+  std::vector<std::span<const typename Kind::Item>> groups;
+  std::size_t first = 0;
+  std::uint64_t parts = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    // A head weighs some parts, too: empty items must not gather for ever.
+    parts += Kind::parts(items[i]) + 4;
+    if (parts < Kind::kGroupParts && i + 1 < items.size()) continue;
+    groups.push_back(items.subspan(first, i + 1 - first));
+    first = i + 1;
+    parts = 0;
+  }
+  if (groups.empty()) groups.push_back(items);
+  return groups;
+}
+
+template <class Kind>
+Status encode_group(const Drawing& drawing,
+                    std::span<const typename Kind::Item> items, bool verify,
+                    ProgressSum& sum, BlockParts& block) {
+  const BlockProgress progress = sum.block();
+  Result<EncodedBlock> encoded = Kind::encode(drawing, items, progress);
+  if (!encoded) return encoded.error();
+  if (Status more = ProgressSum::complete(progress, items.size()); !more) {
+    return more;
+  }
+  block.encoded = *std::move(encoded);
+  if (!verify) return {};
+  const BlockProgress again = sum.block();
+  const auto decoded = Kind::decode(drawing, block, again);
+  if (!decoded) return proof_failed(decoded.error());
+  if (!Kind::same(*decoded, items)) {
+    return proof_failed({ErrorCode::corrupt, "lines differ"});
+  }
+  return ProgressSum::complete(again, items.size());
+}
+
+template <class Kind>
+Status encode_items(const Drawing& drawing, const EncodeOptions& options,
+                    PageParts& page) {
+  const auto groups = cut_groups<Kind>(drawing);
+  page.blocks.resize(groups.size());
+  // Before anything is encoded, and over the whole page, so that an error
+  // names the item by its number on the page.
+  BlockParts whole;
+  if (Status valid = Kind::survey(drawing, Kind::items(drawing), whole);
+      !valid) {
+    return valid;
+  }
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    BlockParts& block = page.blocks[i];
+    if (Status valid = Kind::survey(drawing, groups[i], block); !valid) {
+      return valid;
+    }
+    page.checksum = crc_join(page.checksum, block.checksum, Kind::bytes(block));
+  }
+  ProgressSum sum(options.progress,
+                  Kind::items(drawing).size() * passes(options));
+  return run_parallel(options.jobs, groups.size(), [&](std::size_t i) {
+    return encode_group<Kind>(drawing, groups[i], options.verify, sum,
+                              page.blocks[i]);
+  });
+}
+
+}  // namespace
+
+Error proof_failed(const Error& why) {
+  if (why.code == ErrorCode::cancelled) return why;
+  return Error{
+      ErrorCode::internal,
+      "the encoded data does not decode to what was given: " + why.message};
+}
+
+Status encode_ink_page(const Bitmap& ink, const EncodeOptions& options,
+                       PageParts& page) {
+  page.blocks = cut_bands(ink, options.bands);
+  ProgressSum sum(options.progress,
+                  static_cast<std::uint64_t>(ink.height()) * passes(options));
+  const auto encode_band = [&](std::size_t i) -> Status {
+    BlockParts& band = page.blocks[i];
+    const BlockProgress progress = sum.block();
+    Result<EncodedBlock> encoded =
+        encode_ink(ink, band.first_row, band.rows, progress);
+    if (!encoded) return encoded.error();
+    if (Status more = ProgressSum::complete(
+            progress, static_cast<std::uint64_t>(band.rows));
+        !more) {
+      return more;
+    }
+    band.encoded = *std::move(encoded);
+    band.checksum = crc_rows(ink, band.first_row, band.rows);
+    if (!options.verify) return {};
+    return prove_band(ink, band, sum.block());
+  };
+  if (Status done = run_parallel(options.jobs, page.blocks.size(), encode_band);
+      !done) {
+    return done;
+  }
+  for (const BlockParts& band : page.blocks) {
+    page.checksum = crc_join(
+        page.checksum, band.checksum,
+        row_bytes(ink.width()) * static_cast<std::uint64_t>(band.rows));
+  }
+  return {};
+}
+
+Status encode_drawing_page(const Drawing& drawing, const EncodeOptions& options,
+                           PageParts& page) {
+  return page.kind == PageKind::paths
+             ? encode_items<Paths>(drawing, options, page)
+             : encode_items<Chains>(drawing, options, page);
+}
+
+}  // namespace unstep::codec

@@ -1,0 +1,61 @@
+#include <string>
+#include <utility>
+
+#include "codec/block_coder.h"
+#include "codec/path_scan.h"
+#include "entropy/arithmetic_decoder.h"
+
+namespace unstep::codec {
+namespace {
+
+class DecoderSide {
+ public:
+  explicit DecoderSide(std::span<const std::uint8_t> payload)
+      : coder_(payload) {}
+
+  entropy::ArithmeticDecoder& coder() { return coder_; }
+  [[nodiscard]] static PathHead head(std::uint64_t /*i*/) { return {}; }
+  [[nodiscard]] static Path::Element element(std::uint64_t /*i*/,
+                                             std::uint64_t /*k*/) {
+    return {};
+  }
+  /// Elements are not reserved: their number is only a claim.
+  void begin(const PathHead& head) {
+    paths_.push_back({head.origin, head.closed, head.width, {}});
+  }
+  void push(const Path::Element& element) {
+    paths_.back().elements.push_back(element);
+  }
+  [[nodiscard]] bool damaged() const { return coder_.overrun(); }
+
+  [[nodiscard]] std::vector<Path> take() { return std::move(paths_); }
+
+ private:
+  entropy::ArithmeticDecoder coder_;
+  std::vector<Path> paths_;
+};
+
+}  // namespace
+
+Result<std::vector<Path>> decode_paths(const CoderName& name,
+                                       std::span<const std::uint8_t> payload,
+                                       std::uint64_t count,
+                                       std::uint64_t elements,
+                                       const BlockProgress& progress) {
+  if (name != CoderName{kCoderPaths, kPathRevision, 0}) {
+    return Error{ErrorCode::unsupported_version,
+                 "path coder " + std::to_string(name.coder) + " revision " +
+                     std::to_string(name.revision) + " table " +
+                     std::to_string(name.table) + " is unknown"};
+  }
+  DecoderSide side(payload);
+  PathScan<DecoderSide> scan(side, count, elements);
+  const Status status = scan.run(progress);
+  if (!status) return status.error();
+  if (!side.coder().finished()) {
+    return Error{ErrorCode::corrupt, "path payload has unused bytes"};
+  }
+  return side.take();
+}
+
+}  // namespace unstep::codec

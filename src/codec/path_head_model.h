@@ -1,0 +1,88 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "codec/number_model.h"
+#include "codec/path_coder.h"
+#include "entropy/counter.h"
+
+namespace unstep::codec {
+
+/// Predicts everything of a path but its elements.
+class PathHeadModel {
+ public:
+  /// `model` knows where the path before started. `left`: the elements that
+  /// are left of the payload. `last`: it is the last path and has all of them.
+  /// The result is what was coded, not checked.
+  template <class Coder, class Model>
+  PathHead code(Coder& coder, const PathHead& head, const Model& model,
+                std::uint64_t left, bool last) {
+    PathHead h;
+    h.closed = NumberModel::decide(coder, closed_[before_.closed ? 1 : 0],
+                                   head.closed);
+    h.width = code_width(coder, head.width);
+    const std::size_t kind = h.closed ? 1 : 0;
+    h.elements = last ? left
+                      : elements_[kind][size_class(before_.elements)].code(
+                            coder, head.elements);
+    code_origin(coder, head.origin, model.start(), h);
+    before_ = h;
+    return h;
+  }
+
+  /// Whether the last head cannot be: a number out of its range.
+  [[nodiscard]] bool outside() const { return outside_; }
+
+ private:
+  static bool in_range(std::int64_t coordinate) {
+    return coordinate >= -kMaxCoord && coordinate <= kMaxCoord;
+  }
+  static std::size_t size_class(std::uint64_t size) {
+    return std::min<std::size_t>(static_cast<std::size_t>(std::bit_width(size)),
+                                 11);
+  }
+
+  template <class Coder>
+  std::int32_t code_width(Coder& coder, std::int32_t width) {
+    if (!NumberModel::decide(coder, new_width_, width != before_.width)) {
+      return before_.width;
+    }
+    const std::uint64_t coded =
+        width_.code(coder, static_cast<std::uint64_t>(width));
+    if (coded > static_cast<std::uint64_t>(kMaxCoord)) {
+      outside_ = true;
+      return 0;
+    }
+    return static_cast<std::int32_t>(coded);
+  }
+
+  template <class Coder>
+  void code_origin(Coder& coder, Point origin, Point expected, PathHead& h) {
+    const std::int64_t dy =
+        down_.code(coder, std::int64_t{origin.y} - expected.y);
+    const std::int64_t dx =
+        across_[size_class(static_cast<std::uint64_t>(dy < 0 ? -dy : dy))].code(
+            coder, std::int64_t{origin.x} - expected.x);
+    if (!in_range(expected.x + dx) || !in_range(expected.y + dy)) {
+      outside_ = true;
+      return;
+    }
+    h.origin = {static_cast<std::int32_t>(expected.x + dx),
+                static_cast<std::int32_t>(expected.y + dy)};
+  }
+
+  std::array<entropy::Counter, 2> closed_;
+  entropy::Counter new_width_;
+  NumberModel width_;
+  std::array<std::array<NumberModel, 12>, 2> elements_;
+  SignedNumberModel down_;
+  std::array<SignedNumberModel, 12> across_;
+  PathHead before_;
+  bool outside_ = false;
+};
+
+}  // namespace unstep::codec
