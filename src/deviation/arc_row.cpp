@@ -3,14 +3,10 @@
 #include <optional>
 
 #include "deviation/free_space.h"
-#include "grid/arc_circle.h"
+#include "grid/arc_ring.h"
 
 namespace unstep::deviation {
 namespace {
-
-Int128 floor_quotient(Int128 a, Int128 b) {
-  return a / b - (a % b < 0 ? 1 : 0);
-}
 
 /// A row of the free space: an arc of the path, from A to B.
 ///
@@ -25,27 +21,16 @@ Int128 floor_quotient(Int128 a, Int128 b) {
 /// stands within t of both: a disc that does not reach C cuts less than half
 /// of the circle, in one piece, so it holds the arc from M to B if that is the
 /// shorter of the two.
-///
-/// Range: see ArcCircle; arc_is_decidable keeps k denominator^2 and
-/// k denominator numerator below 2^122, and 4 |power| <= 3 k for all points
-/// within t + 2 units of the circle.
 class ArcRow {
  public:
   ArcRow(Front& front, Vector64 from, const Arc& arc)
       : front_(front),
         bound_(front.bound),
         chain_(front.chain),
-        circle_(arc),
+        ring_(arc, bound_.numerator, bound_.denominator),
+        circle_(ring_.circle()),
         a_(from),
-        end_{arc.end.x, arc.end.y} {
-    const Int128 n = bound_.numerator;
-    const Int128 d = bound_.denominator;
-    const auto root = static_cast<Int128>(
-        floor_root(wide_product(static_cast<UInt128>(circle_.a() * n * d),
-                                circle_.k() * static_cast<UInt128>(n * d))));
-    highest_ = floor_quotient(circle_.a() * n * n + root, d * d);
-    lowest_ = -floor_quotient(root - circle_.a() * n * n, d * d);
-  }
+        end_{arc.end.x, arc.end.y} {}
 
   void run() {
     const std::size_t n = chain_.size();
@@ -96,39 +81,6 @@ class ArcRow {
     return circle_.ahead(hold.at, end_) >= 0;
   }
 
-  /// |Q - M| <= t for M on the radius of hold.at, with D = |Q - C| and P =
-  /// hold.at: D^2 + R^2 - t^2 <= 2 R (Q - C) . (P - C) / |P - C|, squared and
-  /// freed of its denominators.
-  [[nodiscard]] bool near_radius(const Hold& hold, Vector64 q,
-                                 Int128 power) const {
-    const Int128 inner = circle_.inner(hold.at, q);
-    if (inner < 0) return false;
-    const Int128 n = bound_.numerator;
-    const Int128 d2 = Int128{bound_.denominator} * bound_.denominator;
-    const auto k = static_cast<Int128>(circle_.k());
-    const Int128 left = 4 * d2 * power + 2 * d2 * k - 4 * circle_.a() * n * n;
-    if (left <= 0) return true;
-    const auto l = static_cast<UInt128>(left);
-    const auto r = static_cast<UInt128>(2 * d2 * inner);
-    return triple_product(l, l, static_cast<UInt128>(4 * hold.power + k)) <=
-           triple_product(r, r, circle_.k());
-  }
-
-  /// The edge from q does not dip into the inner circle between its ends.
-  /// power is a parabola along the edge: power + b s + a |move|^2 s^2.
-  [[nodiscard]] bool stays_outside(Vector64 move, Int128 change) const {
-    const Int128 square = circle_.a() * dot(move, move);
-    const Int128 b = change - square;
-    if (b >= 0 || -b >= 2 * square) return true;  // lowest at an end
-    const Int128 room = power_ - lowest_;
-    if (room >= square) return true;
-    if (room < 0) return false;
-    const UInt128 fall = magnitude_of(b);
-    return wide_product(fall, fall) <=
-           wide_product(static_cast<UInt128>(4 * square),
-                        static_cast<UInt128>(room));
-  }
-
   /// Where the path stands once the chain has gone on by `move`.
   [[nodiscard]] std::optional<Hold> advance(const Hold& hold, Vector64 move,
                                             Int128 change) const {
@@ -136,13 +88,14 @@ class ArcRow {
     if (hold.kind == Hold::At::end)
       return near_end(to) ? std::optional(hold) : std::nullopt;
     if (circle_.ahead(hold.at, to) <= 0) {
-      const bool near = hold.kind == Hold::At::start
-                            ? near_start(to)
-                            : near_radius(hold, to, power_ + change);
+      const bool near =
+          hold.kind == Hold::At::start
+              ? near_start(to)
+              : ring_.near_radius(hold.at, hold.power, to, power_ + change);
       return near ? std::optional(hold) : std::nullopt;
     }
     const Int128 power = power_ + change;
-    if (power > highest_ || power < lowest_ || !stays_outside(move, change))
+    if (!ring_.holds(power) || !ring_.stays_outside(move, power_, change))
       return std::nullopt;
     if (circle_.ahead(hold.at, end_) > 0 && circle_.ahead(end_, to) >= 0) {
       if (!near_end(to)) return std::nullopt;
@@ -190,17 +143,16 @@ class ArcRow {
                                   Int128 change) const {
     if (hold_ && near_end(q_)) return true;
     return circle_.ahead(hold.at, q_ + move) >= 0 &&
-           stays_outside(move, change);
+           ring_.stays_outside(move, power_, change);
   }
 
   Front& front_;
   const Bound& bound_;
   ChainWalk& chain_;
-  ArcCircle circle_;
+  ArcRing ring_;
+  const ArcCircle& circle_;
   Vector64 a_;
-  Vector64 end_;        ///< B - A
-  Int128 highest_ = 0;  ///< power at R + t, rounded inwards
-  Int128 lowest_ = 0;   ///< power at R - t
+  Vector64 end_;  ///< B - A
   std::size_t i_ = 0;
   Vector64 q_;        ///< the chain's point, relative to A
   Int128 power_ = 0;  ///< its power
@@ -211,17 +163,7 @@ class ArcRow {
 }  // namespace
 
 bool arc_is_decidable(const Bound& bound, const Arc& arc) {
-  if (!arc_fits(arc)) return false;
-  const std::int64_t inner = bound.reach + 2 * bound.unit;
-  if (inner >= kMaxCirclePart) return false;
-  const ArcCircle circle(arc);
-  // 4 R^2 = k / a.
-  if (circle.k() < static_cast<UInt128>(4 * circle.a() * inner * inner))
-    return false;
-  const UInt128 scale =
-      static_cast<UInt128>(std::max(bound.numerator, bound.denominator)) *
-      static_cast<UInt128>(bound.denominator);
-  return circle.k() <= (UInt128{1} << 122) / scale;
+  return ArcRing::decides(arc, bound.numerator, bound.denominator, bound.unit);
 }
 
 void walk_arc(Front& front, Vector64 from, const Arc& arc) {

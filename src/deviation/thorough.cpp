@@ -172,7 +172,7 @@ bool thorough_within(const Chain& chain, const Path& path, YAxis axis,
 Measured thorough_measure(const Chain& chain, const Path& path, YAxis axis,
                           std::int32_t scale, double known) {
   Pair pair(chain, path, axis, scale, kCoarse);
-  long double low = std::max<long double>(pair.least(), known);
+  long double low = std::max(pair.least(), known - pair.margin());
   Measured found;
   if (pair.within(low)) {
     const bool exact = low == 0 && pair.exact_zero();

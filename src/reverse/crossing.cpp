@@ -189,8 +189,8 @@ bool CrossingFinder::meet(const SweepLine& p, const SweepLine& q) const {
     // than a point or not.
     const bool by_x = p.a.x != p.b.x;
     const auto key = [by_x](Point point) { return by_x ? point.x : point.y; };
-    const auto [p_low, p_high] = std::minmax(key(p.a), key(p.b));
-    const auto [q_low, q_high] = std::minmax(key(q.a), key(q.b));
+    const auto [p_low, p_high] = std::minmax({key(p.a), key(p.b)});
+    const auto [q_low, q_high] = std::minmax({key(q.a), key(q.b)});
     if (std::max(p_low, q_low) < std::min(p_high, q_high)) return true;
   }
   // They touch in an end of one of them, if at all.

@@ -8,6 +8,7 @@
 #include "reverse/chain_check.h"
 #include "reverse/chain_walk.h"
 #include "reverse/refine.h"
+#include "reverse/tolerance_free.h"
 #include "reverse/tolerance_lines.h"
 #include "reverse/tolerance_optimum.h"
 #include "unstep/reverse.h"
@@ -18,6 +19,10 @@ namespace {
 using reverse::ChainWalk;
 using reverse::LineVertices;
 using reverse::PathTolerance;
+
+/// Places for a vertex on each side of the chain, at standard and max effort.
+constexpr int kBeam = 1;
+constexpr int kWideBeam = 2;
 
 /// The tolerance in path units, rounded down to the fraction that the
 /// decisions use. The numerator times the scale is below 2^34, so that
@@ -40,9 +45,14 @@ Status check_tolerance(const Rational& e) {
 
 LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options) {
   const PathTolerance tolerance = in_path_units(options.tolerance);
-  return options.effort == Effort::max
-             ? reverse::fit_fewest_lines(chain, tolerance)
-             : reverse::fit_lines(chain, tolerance);
+  const bool sub_grid = path_scale(options.tolerance) > 1;
+  if (options.effort != Effort::max) {
+    return sub_grid ? reverse::fit_free_lines(chain, tolerance, kBeam)
+                    : reverse::fit_lines(chain, tolerance);
+  }
+  LineVertices fewest = reverse::fit_fewest_lines(chain, tolerance);
+  LineVertices free = reverse::fit_free_lines(chain, tolerance, kWideBeam);
+  return free.size() < fewest.size() ? free : fewest;
 }
 
 /// Lines of the chains, which are valid; at a tolerance of at most 1 such that
@@ -79,12 +89,17 @@ Path path_of(const LineVertices& vertices, bool closed) {
 }  // namespace
 
 std::int32_t path_scale(const Rational& tolerance) {
-  // A disc of the tolerance then holds points of the sub-grid all around.
+  // The disc around a point of the chain then holds its neighbours on the
+  // sub-grid, the diagonal ones too (e * scale >= sqrt 2) unless the others lie
+  // exactly on its edge. Finer grids save few lines and cost bits each. sqrt 2
+  // is 1 + 26.5 / 64.
+  const std::uint64_t n = tolerance.numerator;
+  const std::uint64_t d = tolerance.denominator;
   std::uint64_t scale = 1;
-  if (tolerance.numerator >= tolerance.denominator) return 1;
-  while (scale < Drawing::kMaxScale &&
-         tolerance.numerator * scale < 2 * std::uint64_t{tolerance.denominator})
+  while (n < d && n * scale != d && scale < Drawing::kMaxScale &&
+         (n * scale < d || 64 * (n * scale - d) < 27 * d)) {
     scale *= 2;
+  }
   return static_cast<std::int32_t>(scale);
 }
 

@@ -58,20 +58,23 @@ class Cone {
   }
 
   /// Adds the next point of the chain. False if no direction is left; the cone
-  /// is then spent until restart().
+  /// is then as before.
   [[nodiscard]] bool add(std::int64_t x, std::int64_t y) {
     const std::int64_t r2 = x * x + y * y;
-    if (r2 >= farthest2_) {
-      if (r2 > kReach * kReach) return false;
-      farthest2_ = r2;
-      if (r2 <= near2_) return true;
-      return r2 < fast2_
-                 ? narrow<std::int64_t>(x, y, opening<std::int64_t>(r2, e_))
-                 : narrow<Wide>(x, y, opening<Wide>(r2, e_));
+    if (r2 < farthest2_) {
+      if (farthest2_ <= near2_) return true;
+      return farthest2_ < fast2_ ? step_back<std::int64_t>(x, y, r2)
+                                 : step_back<Wide>(x, y, r2);
     }
-    if (farthest2_ <= near2_) return true;
-    return farthest2_ < fast2_ ? step_back<std::int64_t>(x, y, r2)
-                               : step_back<Wide>(x, y, r2);
+    if (r2 > kReach * kReach) return false;
+    if (r2 > near2_ &&
+        !(r2 < fast2_
+              ? narrow<std::int64_t>(x, y, opening<std::int64_t>(r2, e_))
+              : narrow<Wide>(x, y, opening<Wide>(r2, e_)))) {
+      return false;
+    }
+    farthest2_ = r2;
+    return true;
   }
 
  private:
@@ -186,18 +189,21 @@ class Cone {
     // Selections instead of branches: no processor can foretell them.
     const Int of_left = tighter_left ? right_to_new_left : new_right_to_left;
     const Int of_right = tighter_right ? new_right_to_left : right_to_new_left;
-    const Vector old = left_;
-    left_.x = tighter_left ? left.x : left_.x;
-    left_.y = tighter_left ? left.y : left_.y;
-    right_.x = tighter_right ? right.x : right_.x;
-    right_.y = tighter_right ? right.y : right_.y;
     if ((of_left | of_right) < 0) return false;
-    if (cross<Int>(right_, left_) != 0) return true;
+    const Vector new_left{tighter_left ? left.x : left_.x,
+                          tighter_left ? left.y : left_.y};
+    const Vector new_right{tighter_right ? right.x : right_.x,
+                           tighter_right ? right.y : right_.y};
+    const bool single = cross<Int>(new_right, new_left) == 0;
     // A single direction: neither the opposite of q nor of what it was before.
-    const bool opposite =
-        dot<Int>(left_, {x, y}) <= 0 || (single_ && dot<Int>(left_, old) <= 0);
-    single_ = true;
-    return !opposite;
+    if (single && (dot<Int>(new_left, {x, y}) <= 0 ||
+                   (single_ && dot<Int>(new_left, left_) <= 0))) {
+      return false;
+    }
+    single_ = single;
+    left_ = new_left;
+    right_ = new_right;
+    return true;
   }
 
   template <class Int>

@@ -27,7 +27,7 @@ struct Deviation {
 /// found to 2^-11 of a grid unit (2^-20 of itself if that is more) and rounded
 /// up. A closed chain may start anywhere: the places of it that are locally
 /// nearest to the path's start are tried, the best 32 of them. Thorough, not
-/// fast: about half a million steps per second.
+/// fast: a few million steps per second.
 /// invalid_argument if the numbers of chains and paths differ, one of a pair
 /// is closed and the other is not, a closed one does not return, a step is no
 /// direction or an arc has no radius.

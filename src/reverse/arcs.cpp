@@ -1,0 +1,159 @@
+#include "reverse/arcs.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace unstep::reverse {
+namespace {
+
+PathParts lines_only(const LineVertices& vertices) {
+  PathParts parts(vertices.size() - 1);
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i].end = i + 1;
+  return parts;
+}
+
+std::vector<Point> points_of(const ChainWalk& chain,
+                             const LineVertices& vertices) {
+  Point at = chain.origin();
+  const std::size_t first = vertices.front().index;
+  for (std::size_t i = 0; i < first; ++i) {
+    const Point move = chain.delta(chain.step(i));
+    at = {at.x + move.x, at.y + move.y};
+  }
+  return chain.points(first, vertices.back().index, at);
+}
+
+/// Greedy from the first vertex on.
+class ArcLayer {
+ public:
+  ArcLayer(const ArcFitter& fitter, std::span<const Point> points,
+           const LineVertices& vertices)
+      : fitter_(fitter), points_(points), vertices_(vertices) {}
+
+  PathParts run() {
+    PathParts parts;
+    for (std::size_t a = 0; a + 1 < vertices_.size();) {
+      const std::optional<PathPart> arc = longest_from(a);
+      parts.push_back(arc ? *arc : PathPart{a + 1, false, {}});
+      a = parts.back().end;
+    }
+    return parts;
+  }
+
+ private:
+  [[nodiscard]] std::optional<Arc> fit(std::size_t a, std::size_t b) const {
+    const std::size_t from = vertices_[a].index - vertices_.front().index;
+    const std::size_t to = vertices_[b].index - vertices_.front().index;
+    return fitter_.fit({points_.subspan(from, to - from + 1), vertices_[a].at,
+                        vertices_[b].at});
+  }
+
+  [[nodiscard]] std::optional<PathPart> longest_from(std::size_t a) const {
+    const std::size_t last = vertices_.size() - 1;
+    std::size_t good = a + kLeastLines;
+    if (good > last) return std::nullopt;
+    std::optional<Arc> best = fit(a, good);
+    if (!best) return std::nullopt;
+    std::size_t bad = last + 1;
+    for (std::size_t more = kLeastLines; good + more <= last; more *= 2) {
+      const std::optional<Arc> longer = fit(a, good + more);
+      if (!longer) {
+        bad = good + more;
+        break;
+      }
+      best = longer;
+      good += more;
+    }
+    while (bad - good > 1) {
+      const std::size_t middle = good + (bad - good) / 2;
+      if (const std::optional<Arc> longer = fit(a, middle)) {
+        best = longer;
+        good = middle;
+      } else {
+        bad = middle;
+      }
+    }
+    return PathPart{good, true, *best};
+  }
+
+  const ArcFitter& fitter_;
+  std::span<const Point> points_;  ///< from the first vertex on
+  const LineVertices& vertices_;
+};
+
+/// The ring begun at another of its vertices.
+LineVertices turned(const LineVertices& ring, std::size_t start,
+                    std::size_t lap) {
+  LineVertices result(ring.begin() + static_cast<std::ptrdiff_t>(start),
+                      ring.end());
+  for (std::size_t i = 1; i <= start; ++i)
+    result.push_back({ring[i].index + lap, ring[i].at});
+  if (result.front().index >= lap)
+    for (LineVertex& vertex : result) vertex.index -= lap;
+  return result;
+}
+
+/// The start chosen blindly may lie within an arc: once more from where the
+/// first arc ends.
+void improve_start(const ChainWalk& chain, const ArcFitter& fitter,
+                   ArcPath& path) {
+  if (!path.parts.front().is_arc || path.parts.size() < 2) return;
+  LineVertices other =
+      turned(path.vertices, path.parts.front().end, chain.size());
+  const std::vector<Point> points = points_of(chain, other);
+  PathParts parts = ArcLayer(fitter, points, other).run();
+  if (parts.size() >= path.parts.size()) return;
+  path.vertices = std::move(other);
+  path.parts = std::move(parts);
+}
+
+}  // namespace
+
+ArcPath fit_arcs(const ChainWalk& chain, const ArcFitter& fitter,
+                 LineVertices vertices) {
+  ArcPath path{std::move(vertices), {}, {}, {}};
+  if (path.vertices.size() <= kLeastLines) {
+    path.parts = lines_only(path.vertices);
+    return path;
+  }
+  const std::vector<Point> points = points_of(chain, path.vertices);
+  if (chain.closed()) {
+    if (const std::optional<FullCircle> circle = fitter.fit_circle(points)) {
+      path.circle_start = circle->start;
+      path.circle = circle->arc;
+      path.parts = lines_only(path.vertices);
+      return path;
+    }
+  }
+  path.parts = ArcLayer(fitter, points, path.vertices).run();
+  if (chain.closed()) improve_start(chain, fitter, path);
+  return path;
+}
+
+Path path_of(const ArcPath& from, bool closed) {
+  Path path;
+  path.closed = closed;
+  if (from.circle_start) {
+    path.origin = *from.circle_start;
+    path.elements.push_back({Path::Kind::arc, {}, from.circle});
+    return path;
+  }
+  path.origin = from.vertices.front().at;
+  path.elements.resize(from.parts.size());
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < path.elements.size(); ++i) {
+    const PathPart& part = from.parts[i];
+    const Point a = from.vertices[start].at;
+    const Point b = from.vertices[part.end].at;
+    if (part.is_arc) {
+      path.elements[i].kind = Path::Kind::arc;
+      path.elements[i].arc = part.arc;
+    } else {
+      path.elements[i].segment = {b.x - a.x, b.y - a.y};
+    }
+    start = part.end;
+  }
+  return path;
+}
+
+}  // namespace unstep::reverse
