@@ -17,13 +17,6 @@ struct PathHead {
   std::uint64_t elements = 0;
 };
 
-/// What the paths of a payload have in common.
-struct PathFrame {
-  bool arcs = false;      ///< there are some
-  bool negative = false;  ///< a path starts at x < 0
-  int levels = 0;         ///< 0..31: |x| of all starts is below 2^levels
-};
-
 /// log2 of the model's counters per context, a rule of the payload's elements
 /// only, so that it need not be stored.
 [[nodiscard]] constexpr int path_table_bits(std::uint64_t elements) {

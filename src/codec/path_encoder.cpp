@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 
 #include "codec/block_coder.h"
 #include "codec/path_checksum.h"
@@ -17,11 +16,7 @@ class EncoderSide {
   [[nodiscard]] PathFrame frame() const {
     PathFrame frame;
     for (const Path& path : paths_) {
-      const std::int32_t x = path.origin.x;
-      frame.negative |= x < 0;
-      frame.levels =
-          std::max(frame.levels, static_cast<int>(std::bit_width(
-                                     static_cast<unsigned>(x < 0 ? -x : x))));
+      frame.starts.add(path.origin.x);
       frame.arcs |=
           std::ranges::any_of(path.elements, [](const Path::Element& element) {
             return element.kind == Path::Kind::arc;

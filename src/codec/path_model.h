@@ -16,6 +16,12 @@
 
 namespace unstep::codec {
 
+/// What the paths of a payload have in common.
+struct PathFrame {
+  bool arcs = false;  ///< there are some
+  StartFrame starts;
+};
+
 /// Predicts where paths start and their elements. Encoder and decoder run the
 /// same object in step; everything is integer.
 class PathModel {
@@ -26,13 +32,7 @@ class PathModel {
   template <class Coder>
   void code_frame(Coder& coder, const PathFrame& frame) {
     arcs_ = coder.code(frame.arcs, 32768);
-    const bool negative = coder.code(frame.negative, 32768);
-    int levels = 0;
-    for (int bit = 4; bit >= 0; --bit) {
-      levels |=
-          coder.code((frame.levels >> bit & 1) != 0, 32768) ? 1 << bit : 0;
-    }
-    starts_.set_range(levels, negative);
+    starts_.code_frame(coder, frame.starts);
   }
 
   /// Where the next path starts; not checked.

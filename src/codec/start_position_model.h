@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -13,18 +14,37 @@
 
 namespace unstep::codec {
 
-/// Predicts where paths start: y from the path before, then x by halving the
-/// range, with the vertices already there on either side as contexts.
+/// The range of all x: below 2^levels, levels 0..31, and from 0 or, if there
+/// are negative ones, -2^levels.
+struct StartFrame {
+  bool negative = false;
+  int levels = 0;
+
+  void add(std::int32_t x) {
+    negative |= x < 0;
+    const auto size = static_cast<std::uint32_t>(x < 0 ? -x : x);
+    levels = std::max(levels, static_cast<int>(std::bit_width(size)));
+  }
+};
+
+/// Predicts where paths and chains start: y from the path before, then x by
+/// halving the range, with what is already there on either side as contexts.
 class StartPositionModel {
  public:
   static constexpr std::size_t kContexts = 7;
   using Decisions = DecisionModel<kContexts>;
-  static constexpr int kMaxLevels = 31;
 
   explicit StartPositionModel(int table_bits);
 
-  /// x is within 0..2^levels - 1, or -2^levels..2^levels - 1 if negative.
-  void set_range(int levels, bool negative) {
+  /// What holds for all starts, coded first.
+  template <class Coder>
+  void code_frame(Coder& coder, const StartFrame& frame) {
+    const bool negative = coder.code(frame.negative, 32768);
+    int levels = 0;
+    for (int bit = 4; bit >= 0; --bit) {
+      const bool one = coder.code((frame.levels >> bit & 1) != 0, 32768);
+      levels |= one ? 1 << bit : 0;
+    }
     levels_ = levels + (negative ? 1 : 0);
     lowest_ = negative ? -(std::int64_t{1} << levels) : 0;
   }
@@ -34,7 +54,8 @@ class StartPositionModel {
   Vec code(Coder& coder, Point start, const DensityGrid& density) {
     const std::int64_t dy =
         down_[down_before_].code(coder, std::int64_t{start.y} - before_.y);
-    down_before_ = dy == 0 ? 0 : dy > 0 && dy < 4 ? 1 : dy > 0 ? 2 : 3;
+    const std::int64_t size = dy < 0 ? -dy : dy;
+    down_before_ = size == 0 ? 0 : size < 4 ? 1 : size < 64 ? 2 : 3;
     const std::int64_t y = before_.y + dy;
     const bool same_row = dy == 0;
     std::int64_t low = lowest_;
