@@ -22,7 +22,7 @@ Result<std::vector<VectorPage>> dispatch(std::string_view bytes,
     case VectorFormat::svg: return read_svg(bytes, options);
     case VectorFormat::dxf: break;
     case VectorFormat::hpgl: break;
-    case VectorFormat::json: break;
+    case VectorFormat::json: return read_json(bytes, options);
     case VectorFormat::freeman: return read_chain_text(bytes, options);
     case VectorFormat::pdf: break;
   }
