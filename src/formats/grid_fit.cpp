@@ -108,15 +108,19 @@ double GridFit::finest() const {
 }
 
 bool GridFit::holds(double scale) const {
-  const auto fits = [scale](RealPoint p) {
-    return is_whole(p.x, scale) && is_whole(p.y, scale);
+  // What is computed may be rounded if that is little beside the tolerance.
+  const bool rounds = kRounding * tolerance_ * scale >= 0.71;
+  const auto fits = [scale, rounds](RealPoint p, bool computed) {
+    return (computed && rounds) ||
+           (is_whole(p.x, scale) && is_whole(p.y, scale));
   };
   for (const RealPath& path : source_.paths()) {
-    if (!fits(path.origin)) return false;
+    if (!fits(path.origin, path.computed)) return false;
   }
-  return all_pieces(
-      source_.paths(),
-      [&fits](RealPoint, const RealPiece& piece) { return fits(piece.end); });
+  return all_pieces(source_.paths(),
+                    [&fits](RealPoint, const RealPiece& piece) {
+                      return fits(piece.end, piece.computed);
+                    });
 }
 
 bool GridFit::holds_widths(double scale) const {

@@ -20,7 +20,7 @@ Result<std::vector<VectorPage>> dispatch(std::string_view bytes,
                                          const VectorReadOptions& options) {
   switch (format) {
     case VectorFormat::svg: return read_svg(bytes, options);
-    case VectorFormat::dxf: break;
+    case VectorFormat::dxf: return read_dxf(bytes, options);
     case VectorFormat::hpgl: break;
     case VectorFormat::json: return read_json(bytes, options);
     case VectorFormat::freeman: return read_chain_text(bytes, options);
