@@ -175,7 +175,10 @@ Status DxfEntities::draw_until(std::string_view end, const Affine* transform,
                                int depth) {
   DxfRecord record;
   for (;;) {
+    const std::size_t begin = records_.place().offset;
     if (Status read = records_.next(record); !read) return read;
+    // A block is read again wherever it is inserted; that has its price.
+    if (depth > 0) drawing_.use_memory(records_.place().offset - begin);
     if (record.kind == end) return {};
     if (record.kind == "EOF" || record.kind == "ENDSEC") {
       return at(record, {ErrorCode::corrupt, "expected " + std::string(end)});

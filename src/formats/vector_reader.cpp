@@ -21,7 +21,7 @@ Result<std::vector<VectorPage>> dispatch(std::string_view bytes,
   switch (format) {
     case VectorFormat::svg: return read_svg(bytes, options);
     case VectorFormat::dxf: return read_dxf(bytes, options);
-    case VectorFormat::hpgl: break;
+    case VectorFormat::hpgl: return read_hpgl(bytes, options);
     case VectorFormat::json: return read_json(bytes, options);
     case VectorFormat::freeman: return read_chain_text(bytes, options);
     case VectorFormat::pdf: break;
