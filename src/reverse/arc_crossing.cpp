@@ -29,7 +29,7 @@ struct Curve {
   bool is_arc = false;
   Vector from;
   Vector to;
-  Vector centre;
+  Vector centre = {};
   double radius = 0;
   double first = 0;  ///< angle at `from`
   double turn = 0;   ///< > 0 counter-clockwise by the numbers
@@ -44,8 +44,8 @@ void set_arc(Curve& curve, const Arc& arc) {
   Vector centre = vector_of(arc.centre);
   const Vector end = vector_of(arc.end);
   if (arc.end != Point{}) {
-    const double k = (centre.y * end.x - centre.x * end.y) /
-                     (end.x * end.x + end.y * end.y);
+    const double k =
+        (centre.y * end.x - centre.x * end.y) / (end.x * end.x + end.y * end.y);
     centre = {end.x / 2 - end.y * k, end.y / 2 + end.x * k};
   }
   curve.centre = {curve.from.x + centre.x, curve.from.y + centre.y};
@@ -96,8 +96,7 @@ struct Meetings {
 /// Where the circle meets a line through `p` along the unit vector `d`. A line
 /// that passes by closely touches.
 Meetings meet_line(const Curve& arc, Vector p, Vector d) {
-  const double along =
-      (arc.centre.x - p.x) * d.x + (arc.centre.y - p.y) * d.y;
+  const double along = (arc.centre.x - p.x) * d.x + (arc.centre.y - p.y) * d.y;
   const Vector foot{p.x + along * d.x, p.y + along * d.y};
   const double off = distance(foot, arc.centre);
   if (off > arc.radius + kNear) return {};
@@ -125,10 +124,9 @@ Meetings meetings(const Curve& arc, const Curve& other) {
   // The line through both places where the circles meet.
   const Vector d{(other.centre.x - arc.centre.x) / apart,
                  (other.centre.y - arc.centre.y) / apart};
-  const double along =
-      (apart + (arc.radius - other.radius) * (arc.radius + other.radius) /
-                   apart) /
-      2;
+  const double along = (apart + (arc.radius - other.radius) *
+                                    (arc.radius + other.radius) / apart) /
+                       2;
   const double reach = std::clamp(along, -arc.radius, arc.radius);
   return meet_line(arc,
                    {arc.centre.x + reach * d.x, arc.centre.y + reach * d.y},
@@ -197,15 +195,13 @@ class ArcCrossings {
 
   void add(std::uint32_t index) {
     const Curve& curve = curves_[index];
-    const double length = curve.is_arc
-                              ? curve.radius * std::abs(curve.turn)
-                              : distance(curve.from, curve.to);
-    const auto pieces =
-        static_cast<std::size_t>(std::ceil(length / cell_)) + 1;
+    const double length = curve.is_arc ? curve.radius * std::abs(curve.turn)
+                                       : distance(curve.from, curve.to);
+    const auto pieces = static_cast<std::size_t>(std::ceil(length / cell_)) + 1;
     Vector a = curve.from;
     for (std::size_t i = 1; i <= pieces; ++i) {
-      const Vector b = place_on(curve, static_cast<double>(i) /
-                                           static_cast<double>(pieces));
+      const Vector b =
+          place_on(curve, static_cast<double>(i) / static_cast<double>(pieces));
       // A piece bulges from its chord by at most an eighth of its length
       // squared over the radius, and that is at most the length.
       const double bulge =
@@ -233,7 +229,8 @@ class ArcCrossings {
               });
     for (std::size_t first = 0; first < entries_.size();) {
       std::size_t end = first + 1;
-      while (end < entries_.size() && entries_[end].cell == entries_[first].cell)
+      while (end < entries_.size() &&
+             entries_[end].cell == entries_[first].cell)
         ++end;
       for (std::size_t i = first; i < end; ++i) {
         if (i > first && entries_[i].curve == entries_[i - 1].curve) continue;
@@ -276,8 +273,7 @@ class ArcCrossings {
     const std::uint32_t count = counts_[a.path];
     const auto follows = [&](const Curve& p, const Curve& q) {
       const bool next = q.part == p.part + 1 ||
-                        (closed_[a.path] && q.part == 0 &&
-                         p.part + 1 == count);
+                        (closed_[a.path] && q.part == 0 && p.part + 1 == count);
       return next && distance(p.to, at) <= 2 * kNear;
     };
     return follows(a, b) || follows(b, a);

@@ -198,10 +198,9 @@ std::optional<FullCircle> ArcFitter::fit_circle(
              std::abs(distance(b, centre) - radius);
     };
     const auto start = std::min_element(ring.begin(), ring.end() - 1, nearer);
-    const FullCircle circle{*start,
-                            {{centre.x - start->x, centre.y - start->y},
-                             {},
-                             area(ring) < 0}};
+    const FullCircle circle{
+        *start,
+        {{centre.x - start->x, centre.y - start->y}, {}, area(ring) < 0}};
     turned.assign(start, ring.end());
     turned.insert(turned.end(), ring.begin() + 1, start + 1);
     if (proves(circle.arc, {turned, *start, *start})) return circle;

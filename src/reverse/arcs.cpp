@@ -111,23 +111,24 @@ void improve_start(const ChainWalk& chain, const ArcFitter& fitter,
 
 ArcPath fit_arcs(const ChainWalk& chain, const ArcFitter& fitter,
                  LineVertices vertices) {
-  ArcPath path{std::move(vertices), {}, {}, {}};
-  if (path.vertices.size() <= kLeastLines) {
-    path.parts = lines_only(path.vertices);
-    return path;
-  }
+  if (vertices.size() <= kLeastLines) return without_arcs(std::move(vertices));
+  ArcPath path = without_arcs(std::move(vertices));
   const std::vector<Point> points = points_of(chain, path.vertices);
   if (chain.closed()) {
     if (const std::optional<FullCircle> circle = fitter.fit_circle(points)) {
       path.circle_start = circle->start;
       path.circle = circle->arc;
-      path.parts = lines_only(path.vertices);
       return path;
     }
   }
   path.parts = ArcLayer(fitter, points, path.vertices).run();
   if (chain.closed()) improve_start(chain, fitter, path);
   return path;
+}
+
+ArcPath without_arcs(LineVertices vertices) {
+  PathParts parts = lines_only(vertices);
+  return {std::move(vertices), std::move(parts), {}, {}};
 }
 
 Path path_of(const ArcPath& from, bool closed) {

@@ -41,6 +41,9 @@ inline constexpr std::size_t kLeastLines = 3;
 ArcPath fit_arcs(const ChainWalk& chain, const ArcFitter& fitter,
                  LineVertices vertices);
 
+/// The lines as they are.
+ArcPath without_arcs(LineVertices vertices);
+
 /// Puts lines back for arcs that meet other parts of the drawing, but for the
 /// joints of neighbours; and arcs that only touch or come within 2^-10 path
 /// units, to be sure. `paths` without their arcs are not changed. Returns how
