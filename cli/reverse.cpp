@@ -24,6 +24,7 @@ namespace {
 struct Request {
   std::string method = "device";
   std::string input = "freeman";
+  int connectivity = 0;  // 0: not given
   bool table = false;
 };
 
@@ -31,10 +32,17 @@ constexpr const char* kExamples =
     "  unstep reverse < steps.txt                      'DX DY' per segment\n"
     "  echo 02002002000 | unstep reverse --table       the registers too\n"
     "  unstep interpolate 70 30 | unstep reverse\n"
+    "  unstep reverse --method exact < steps.txt       'S0 S1 N A W R' per "
+    "segment\n"
     "\n"
-    "A segment is printed as soon as its last step has come. Codes are 0 "
-    "(east),\n"
-    "2 (north), 4 and 6; diagonal steps are refused.\n";
+    "A segment is printed as soon as it is known to end. Codes are 0 (east), 1 "
+    "(north-\n"
+    "east), 2 (north) to 7; device and gate-level refuse diagonal steps. "
+    "Segments "
+    "of\n"
+    "exact give back every step: step i of N is S1 if (A (i + 1) + R) / W, "
+    "rounded\n"
+    "down, exceeds (A i + R) / W, else S0.\n";
 
 ExitCode refuse(ErrorCode code, const std::string& reason) {
   return report_error("standard input", {code, reason});
@@ -47,7 +55,9 @@ ExitCode cannot_write() {
 /// Where the reader is, and what it makes of a byte.
 class StepReader {
  public:
-  explicit StepReader(bool text) : text_(text) {}
+  /// `straight`: why diagonal steps are refused; nullptr if they are not.
+  StepReader(bool text, const char* straight)
+      : text_(text), straight_(straight) {}
 
   enum class Got { nothing, step, error };
 
@@ -66,9 +76,9 @@ class StepReader {
     } else if (byte > 7) {
       return refuse(byte, "no Freeman code 0..7");
     }
-    if ((byte & 1) != 0)
+    if (straight_ != nullptr && (byte & 1) != 0)
       return refuse(text_ ? static_cast<unsigned char>(byte + '0') : byte,
-                    "a diagonal step; the device takes 0, 2, 4 and 6");
+                    straight_);
     ++steps_;
     step = byte;
     return Got::step;
@@ -91,6 +101,7 @@ class StepReader {
   }
 
   bool text_;
+  const char* straight_;
   std::uint64_t offset_ = 0;
   std::uint64_t line_ = 1;
   std::uint64_t column_ = 0;
@@ -101,8 +112,7 @@ class StepReader {
 /// Feeds every step of standard input to `use` as it comes; `idle` runs before
 /// every read that may wait.
 template <class Use, class Idle>
-ExitCode read_steps(bool text, Use use, Idle idle) {
-  StepReader reader(text);
+ExitCode read_steps(StepReader reader, Use use, Idle idle) {
   std::array<unsigned char, 1 << 16> buffer;
   for (;;) {
     if (!idle()) return cannot_write();
@@ -135,22 +145,36 @@ void print_row(Step step, const GateNet& net) {
              int{s.and5}, int{s.and16}, int{s.or17});
 }
 
-template <class Device>
-ExitCode run(const Request& request) {
-  const bool text = request.input == "freeman";
-  // A file is checked as a whole before anything is printed; a stream's
-  // segments are out before the stream can turn bad.
+/// All of standard input through `use`, then `finish`. A file is checked as a
+/// whole before anything is printed; a stream's segments are out before the
+/// stream can turn bad.
+template <class Use, class Finish>
+ExitCode run(const StepReader& reader, Use use, Finish finish) {
   struct stat status {};
   const bool file =
       fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode);
   if (file) {
     const off_t start = lseek(STDIN_FILENO, 0, SEEK_CUR);
     const ExitCode checked = read_steps(
-        text, [](Step) {}, [] { return true; });
+        reader, [](Step) {}, [] { return true; });
     if (checked != ExitCode::ok) return checked;
     lseek(STDIN_FILENO, start, SEEK_SET);
   }
+  const auto flush = [file] { return file || std::fflush(stdout) == 0; };
+  const ExitCode code = read_steps(reader, use, flush);
+  if (code != ExitCode::ok) {
+    std::fflush(stdout);
+    return code;
+  }
+  finish();
+  if (std::fflush(stdout) != 0) return cannot_write();
+  return ExitCode::ok;
+}
 
+template <class Device>
+ExitCode run_device(const Request& request) {
+  const StepReader reader(request.input == "freeman",
+                          "a diagonal step; the device takes 0, 2, 4 and 6");
   BasicDeviceReverse<Device> device;
   const char* prefix = request.table ? "segment " : "";
   const auto print_segment = [prefix](Segment s) {
@@ -167,28 +191,57 @@ ExitCode run(const Request& request) {
     if (request.table) print_row(step, device.device());
     if (pushed == Pushed::segment && !before) print_segment(closed);
   };
-  const auto flush = [file] { return file || std::fflush(stdout) == 0; };
-  const ExitCode code = read_steps(text, use, flush);
-  if (code != ExitCode::ok) {
-    std::fflush(stdout);
-    return code;
-  }
-  Segment last;
-  if (device.finish(last)) print_segment(last);
-  if (std::fflush(stdout) != 0) return cannot_write();
-  return ExitCode::ok;
+  return run(reader, use, [&] {
+    Segment last;
+    if (device.finish(last)) print_segment(last);
+  });
+}
+
+ExitCode run_exact(const Request& request) {
+  const bool four = request.connectivity == 4;
+  const StepReader reader(
+      request.input == "freeman",
+      four ? "a diagonal step; 4-connected chains have 0, 2, 4 and 6"
+           : nullptr);
+  ExactReverse exact(four ? Connectivity::four : Connectivity::eight);
+  const auto print = [](const char* prefix, const DigitalSegment& s) {
+    fmt::print("{}{} {} {} {} {} {}\n", prefix, s.s0, s.s1, s.n, s.a, s.w, s.r);
+  };
+  const char* prefix = request.table ? "segment " : "";
+  const auto use = [&](Step step) {
+    DigitalSegment closed;
+    if (exact.push(step, closed) == Pushed::segment) print(prefix, closed);
+    if (!request.table) return;
+    fmt::print("{} ", step);
+    print("", exact.open());
+  };
+  return run(reader, use, [&] {
+    DigitalSegment last;
+    if (exact.finish(last)) print(prefix, last);
+  });
 }
 
 ExitCode reverse_verb(const Request& request) {
+  const auto usage = [](const std::string& reason) {
+    return report_usage("reverse", reason);
+  };
   if (request.input != "freeman" && request.input != "bytes")
-    return report_usage(
-        "reverse",
+    return usage(
         fmt::format("unknown input '{}': freeman or bytes", request.input));
-  if (request.method == "device") return run<DeviceRegisters>(request);
-  if (request.method == "gate-level") return run<GateNet>(request);
-  return report_usage(
-      "reverse",
-      fmt::format("unknown method '{}': device or gate-level", request.method));
+  if (request.method == "exact") {
+    if (request.connectivity != 0 && request.connectivity != 4 &&
+        request.connectivity != 8)
+      return usage(
+          fmt::format("--connectivity {}: 4 or 8", request.connectivity));
+    return run_exact(request);
+  }
+  if (request.method != "device" && request.method != "gate-level")
+    return usage(fmt::format("unknown method '{}': device, gate-level or exact",
+                             request.method));
+  if (request.connectivity != 0)
+    return usage("--connectivity is for --method exact");
+  return request.method == "device" ? run_device<DeviceRegisters>(request)
+                                    : run_device<GateNet>(request);
 }
 
 }  // namespace
@@ -198,15 +251,20 @@ void add_reverse(CLI::App& app, Context& context) {
   CLI::App* verb = app.add_subcommand(
       "reverse", "Turn unit steps from standard input into segments");
   verb->add_option("--method", request->method,
-                   "device (SU 1089551) or gate-level, the same as a net "
-                   "[device]")
+                   "device (SU 1089551), gate-level, the same as a net, or "
+                   "exact: the longest digital straight segments [device]")
       ->type_name("NAME");
   verb->add_option("--input", request->input,
                    "freeman: digits, white space ignored; bytes: 0 to 7 "
                    "[freeman]")
       ->type_name("FORM");
+  verb->add_option("--connectivity", request->connectivity,
+                   "exact: which codes are neighbours and may share a "
+                   "segment: 8, or 4 for chains of 0, 2, 4 and 6 [8]")
+      ->type_name("N");
   verb->add_flag("--table", request->table,
-                 "A row per step: step X Y F, and 'segment DX DY' lines");
+                 "A row per step: step X Y F, and 'segment DX DY' lines; "
+                 "exact: step S0 S1 N A W R");
   finish_verb(*verb, kExamples);
   verb->callback([request, &context] {
     context.run = [request] { return reverse_verb(*request); };

@@ -7,7 +7,7 @@
 /// Coder 16: chains under mixed models, docs/format.md.
 namespace unstep::codec {
 
-inline constexpr std::uint8_t kChainRevision = 0;
+inline constexpr std::uint8_t kChainRevision = 1;  ///< of the encoder
 
 /// log2 of the model's slots per context, a rule of the payload's steps only,
 /// so that it need not be stored.

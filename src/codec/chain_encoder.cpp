@@ -12,6 +12,11 @@ class EncoderSide {
       : chains_(chains), axis_(axis) {}
 
   entropy::ArithmeticEncoder& coder() { return coder_; }
+  [[nodiscard]] StartFrame frame() const {
+    StartFrame frame;
+    for (const Chain& chain : chains_) frame.add(chain.origin.x);
+    return frame;
+  }
   [[nodiscard]] ChainHead head(std::uint64_t i) const {
     const Chain& chain = chains_[static_cast<std::size_t>(i)];
     const std::int32_t y = chain.origin.y;
@@ -41,7 +46,8 @@ Result<EncodedBlock> encode_chains(std::span<const Chain> chains, YAxis axis,
   const Result<ChainSurvey> survey = survey_chains(chains, axis);
   if (!survey) return survey.error();
   EncoderSide side(chains, axis);
-  ChainScan<EncoderSide> scan(side, chains.size(), survey->steps);
+  ChainScan<EncoderSide, ChainStartModel> scan(side, chains.size(),
+                                               survey->steps);
   const Status status = scan.run(progress);
   if (!status) return status.error();
   return EncodedBlock{{kCoderChains, kChainRevision, 0}, side.coder().finish()};

@@ -7,70 +7,131 @@
 #include <cstdint>
 
 #include "codec/chain_coder.h"
+#include "codec/density_grid.h"
 #include "codec/number_model.h"
+#include "codec/start_position_model.h"
 #include "entropy/counter.h"
 
 namespace unstep::codec {
 
-/// Predicts everything of a chain but its steps.
-class ChainHeadModel {
+/// Predicts what kind of chain comes and how long it is.
+class ChainKindModel {
  public:
-  /// `expected`: where the chain before ended. `left`: the steps that are left
-  /// of the payload. `last`: it is the last chain and has all of them.
-  /// The result is what was coded, not checked.
   template <class Coder>
-  ChainHead code(Coder& coder, const ChainHead& head, Point expected,
-                 std::uint64_t left, bool last) {
-    ChainHead h;
+  void code_kind(Coder& coder, const ChainHead& head, ChainHead& coded) {
     const bool four = NumberModel::decide(
         coder, four_[four_before_], head.connectivity == Connectivity::four);
     four_before_ = four ? 1 : 0;
-    h.connectivity = four ? Connectivity::four : Connectivity::eight;
-    h.closed = NumberModel::decide(coder, closed_[closed_before_], head.closed);
-    closed_before_ = h.closed ? 1 : 0;
+    coded.connectivity = four ? Connectivity::four : Connectivity::eight;
+    coded.closed =
+        NumberModel::decide(coder, closed_[closed_before_], head.closed);
+    closed_before_ = coded.closed ? 1 : 0;
+  }
+
+  /// Of the chain whose kind was coded last.
+  template <class Coder>
+  std::uint64_t code_steps(Coder& coder, std::uint64_t steps) {
+    return steps_[closed_before_].code(coder, steps);
+  }
+
+ private:
+  std::array<entropy::Counter, 2> four_;
+  std::array<entropy::Counter, 2> closed_;
+  std::array<NumberModel, 2> steps_;
+  std::size_t four_before_ = 0;
+  std::size_t closed_before_ = 0;
+};
+
+/// Whether a point is one that chains may visit.
+[[nodiscard]] constexpr bool in_coordinate_range(std::int64_t x,
+                                                 std::int64_t y) {
+  return x >= -kMaxCoord && x <= kMaxCoord && y >= -kMaxCoord && y <= kMaxCoord;
+}
+
+/// Revision 0 of everything of a chain but its steps: the origin by its
+/// difference to the end of the chain before.
+class ChainHeadModel {
+ public:
+  explicit ChainHeadModel(std::uint64_t /*chains*/) {}
+
+  template <class Coder>
+  void code_frame(Coder& /*coder*/, const StartFrame& /*frame*/) {}
+
+  /// `left`: the steps that are left of the payload. `last`: it is the last
+  /// chain and has all of them. The result is what was coded, not checked.
+  template <class Coder>
+  ChainHead code(Coder& coder, const ChainHead& head, std::uint64_t left,
+                 bool last) {
+    ChainHead h;
+    kind_.code_kind(coder, head, h);
     const std::int64_t dx =
-        code_move(coder, 0, std::int64_t{head.origin.x} - expected.x);
-    const std::size_t far = static_cast<std::size_t>(std::min(
-        3, (static_cast<int>(
-                std::bit_width(static_cast<std::uint64_t>(dx < 0 ? -dx : dx))) +
-            2) /
-               3));
+        moves_[0].code(coder, std::int64_t{head.origin.x} - end_.x);
+    const auto size = static_cast<std::uint64_t>(dx < 0 ? -dx : dx);
+    const auto far = static_cast<std::size_t>(
+        std::min(3, (static_cast<int>(std::bit_width(size)) + 2) / 3));
     const std::int64_t dy =
-        code_move(coder, 1 + far, std::int64_t{head.origin.y} - expected.y);
-    outside_ = !in_range(expected.x + dx) || !in_range(expected.y + dy);
+        moves_[1 + far].code(coder, std::int64_t{head.origin.y} - end_.y);
+    outside_ = !in_coordinate_range(end_.x + dx, end_.y + dy);
     if (!outside_) {
-      h.origin = {static_cast<std::int32_t>(expected.x + dx),
-                  static_cast<std::int32_t>(expected.y + dy)};
+      h.origin = {static_cast<std::int32_t>(end_.x + dx),
+                  static_cast<std::int32_t>(end_.y + dy)};
     }
-    h.steps = last ? left : steps_[closed_before_].code(coder, head.steps);
+    h.steps = last ? left : kind_.code_steps(coder, head.steps);
     return h;
   }
 
   /// Whether the last origin was out of the coordinate range.
   [[nodiscard]] bool outside() const { return outside_; }
 
-  static bool in_range(std::int64_t coordinate) {
-    return coordinate >= -kMaxCoord && coordinate <= kMaxCoord;
+  void visit(Point at) { end_ = at; }
+
+ private:
+  ChainKindModel kind_;
+  std::array<SignedNumberModel, 5> moves_;
+  Point end_;  ///< of the chain before
+  bool outside_ = false;
+};
+
+/// Revision 1: the origin by the density of what chains have visited.
+class ChainStartModel {
+ public:
+  explicit ChainStartModel(std::uint64_t chains)
+      : starts_(chains < 2'000 ? 13 : 15) {}
+
+  template <class Coder>
+  void code_frame(Coder& coder, const StartFrame& frame) {
+    starts_.code_frame(coder, frame);
+  }
+
+  /// As ChainHeadModel::code.
+  template <class Coder>
+  ChainHead code(Coder& coder, const ChainHead& head, std::uint64_t left,
+                 bool last) {
+    ChainHead h;
+    kind_.code_kind(coder, head, h);
+    h.steps = last ? left : kind_.code_steps(coder, head.steps);
+    const Vec start = starts_.code(coder, head.origin, density_);
+    outside_ = !in_coordinate_range(start.x, start.y);
+    if (!outside_) {
+      h.origin = {static_cast<std::int32_t>(start.x),
+                  static_cast<std::int32_t>(start.y)};
+    }
+    visits_ = 0;
+    return h;
+  }
+
+  [[nodiscard]] bool outside() const { return outside_; }
+
+  /// Every fourth point is enough for the density.
+  void visit(Point at) {
+    if (visits_++ % 4 == 0) density_.add(at);
   }
 
  private:
-  template <class Coder>
-  std::int64_t code_move(Coder& coder, std::size_t context, std::int64_t move) {
-    const auto size = static_cast<std::uint64_t>(move < 0 ? -move : move);
-    const auto coded =
-        static_cast<std::int64_t>(moves_[context].code(coder, size));
-    if (coded == 0) return 0;
-    const bool negative = NumberModel::decide(coder, signs_[context], move < 0);
-    return negative ? -coded : coded;
-  }
-
-  std::array<entropy::Counter, 2> four_;
-  std::array<entropy::Counter, 2> closed_;
-  std::array<NumberModel, 5> moves_;
-  std::array<entropy::Counter, 5> signs_;
-  std::array<NumberModel, 2> steps_;
-  std::size_t four_before_ = 0;
-  std::size_t closed_before_ = 0;
+  ChainKindModel kind_;
+  StartPositionModel starts_;
+  DensityGrid density_;
+  unsigned visits_ = 0;
   bool outside_ = false;
 };
 

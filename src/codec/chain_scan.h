@@ -13,6 +13,7 @@ namespace unstep::codec {
 /// Coder 16, both sides: chains one by one, each its head and then its steps.
 /// Encoder and decoder run this same code; `Side` is what differs:
 ///
+///     frame()      what holds for all chains
 ///     coder()      an arithmetic encoder or decoder
 ///     head(i)      the true head of chain i
 ///     step(i, k)   the true step k of chain i
@@ -22,29 +23,35 @@ namespace unstep::codec {
 ///
 /// The decoder's answers to the questions are never looked at. Here y grows
 /// with Freeman code 2, whatever the canvas says.
-template <class Side>
+/// `Heads` is the model of the revision.
+template <class Side, class Heads>
 class ChainScan {
  public:
   ChainScan(Side& side, std::uint64_t count, std::uint64_t steps)
-      : side_(side), count_(count), left_(steps), model_(table_bits(steps)) {}
+      : side_(side),
+        count_(count),
+        left_(steps),
+        heads_(count),
+        model_(table_bits(steps)) {}
 
   Status run(const BlockProgress& progress) {
+    if (count_ > 0) heads_.code_frame(side_.coder(), side_.frame());
     for (std::uint64_t i = 0; i < count_; ++i) {
       if (progress && i % 64 == 63 && !progress(i)) return cancelled();
       const bool last = i + 1 == count_;
       const ChainHead head =
-          heads_.code(side_.coder(), side_.head(i), end_, left_, last);
+          heads_.code(side_.coder(), side_.head(i), left_, last);
       if (side_.damaged() || heads_.outside() || head.steps > left_) {
         return damaged(i);
       }
       left_ -= head.steps;
       side_.begin(head);
       model_.begin(head);
+      heads_.visit(head.origin);
       for (std::uint64_t k = 0; k < head.steps; ++k) {
         if (!code_step(i, k)) return damaged(i);
         if (progress && k % 65536 == 65535 && !progress(i)) return cancelled();
       }
-      end_ = model_.position();
     }
     // Of no chains there are no steps.
     return left_ == 0 ? Status() : damaged(0);
@@ -62,9 +69,8 @@ class ChainScan {
     Step step = side_.step(i, k);
     if (side_.damaged() || !model_.code(side_.coder(), step)) return false;
     const Point at = model_.position();
-    if (!ChainHeadModel::in_range(at.x) || !ChainHeadModel::in_range(at.y)) {
-      return false;
-    }
+    if (!in_coordinate_range(at.x, at.y)) return false;
+    heads_.visit(at);
     side_.push(step);
     return true;
   }
@@ -72,8 +78,7 @@ class ChainScan {
   Side& side_;
   std::uint64_t count_;
   std::uint64_t left_;  ///< steps of the chains to come
-  Point end_;           ///< of the chain before
-  ChainHeadModel heads_;
+  Heads heads_;
   ChainModel model_;
 };
 

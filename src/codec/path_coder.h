@@ -17,4 +17,10 @@ struct PathHead {
   std::uint64_t elements = 0;
 };
 
+/// log2 of the model's counters per context, a rule of the payload's elements
+/// only, so that it need not be stored.
+[[nodiscard]] constexpr int path_table_bits(std::uint64_t elements) {
+  return elements < 2'000 ? 13 : elements < 20'000 ? 15 : 16;
+}
+
 }  // namespace unstep::codec

@@ -14,6 +14,7 @@ class DecoderSide {
       : coder_(payload) {}
 
   entropy::ArithmeticDecoder& coder() { return coder_; }
+  [[nodiscard]] static PathFrame frame() { return {}; }
   [[nodiscard]] static PathHead head(std::uint64_t /*i*/) { return {}; }
   [[nodiscard]] static Path::Element element(std::uint64_t /*i*/,
                                              std::uint64_t /*k*/) {

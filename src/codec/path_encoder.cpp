@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "codec/block_coder.h"
 #include "codec/path_checksum.h"
 #include "codec/path_scan.h"
@@ -11,6 +13,17 @@ class EncoderSide {
   explicit EncoderSide(std::span<const Path> paths) : paths_(paths) {}
 
   entropy::ArithmeticEncoder& coder() { return coder_; }
+  [[nodiscard]] PathFrame frame() const {
+    PathFrame frame;
+    for (const Path& path : paths_) {
+      frame.starts.add(path.origin.x);
+      frame.arcs |=
+          std::ranges::any_of(path.elements, [](const Path::Element& element) {
+            return element.kind == Path::Kind::arc;
+          });
+    }
+    return frame;
+  }
   [[nodiscard]] PathHead head(std::uint64_t i) const {
     const Path& path = paths_[static_cast<std::size_t>(i)];
     return {path.origin, path.closed, path.width, path.elements.size()};

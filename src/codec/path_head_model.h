@@ -8,6 +8,7 @@
 
 #include "codec/number_model.h"
 #include "codec/path_coder.h"
+#include "codec/vector_classes.h"
 #include "entropy/counter.h"
 
 namespace unstep::codec {
@@ -15,11 +16,11 @@ namespace unstep::codec {
 /// Predicts everything of a path but its elements.
 class PathHeadModel {
  public:
-  /// `model` knows where the path before started. `left`: the elements that
+  /// `model` codes where the path starts. `left`: the elements that
   /// are left of the payload. `last`: it is the last path and has all of them.
   /// The result is what was coded, not checked.
   template <class Coder, class Model>
-  PathHead code(Coder& coder, const PathHead& head, const Model& model,
+  PathHead code(Coder& coder, const PathHead& head, Model& model,
                 std::uint64_t left, bool last) {
     PathHead h;
     h.closed = NumberModel::decide(coder, closed_[before_.closed ? 1 : 0],
@@ -29,7 +30,7 @@ class PathHeadModel {
     h.elements = last ? left
                       : elements_[kind][size_class(before_.elements)].code(
                             coder, head.elements);
-    code_origin(coder, head.origin, model.start(), h);
+    code_origin(coder, head.origin, model, h);
     before_ = h;
     return h;
   }
@@ -60,27 +61,21 @@ class PathHeadModel {
     return static_cast<std::int32_t>(coded);
   }
 
-  template <class Coder>
-  void code_origin(Coder& coder, Point origin, Point expected, PathHead& h) {
-    const std::int64_t dy =
-        down_.code(coder, std::int64_t{origin.y} - expected.y);
-    const std::int64_t dx =
-        across_[size_class(static_cast<std::uint64_t>(dy < 0 ? -dy : dy))].code(
-            coder, std::int64_t{origin.x} - expected.x);
-    if (!in_range(expected.x + dx) || !in_range(expected.y + dy)) {
+  template <class Coder, class Model>
+  void code_origin(Coder& coder, Point origin, Model& model, PathHead& h) {
+    const Vec start = model.code_start(coder, origin);
+    if (!in_range(start.x) || !in_range(start.y)) {
       outside_ = true;
       return;
     }
-    h.origin = {static_cast<std::int32_t>(expected.x + dx),
-                static_cast<std::int32_t>(expected.y + dy)};
+    h.origin = {static_cast<std::int32_t>(start.x),
+                static_cast<std::int32_t>(start.y)};
   }
 
   std::array<entropy::Counter, 2> closed_;
   entropy::Counter new_width_;
   NumberModel width_;
   std::array<std::array<NumberModel, 12>, 2> elements_;
-  SignedNumberModel down_;
-  std::array<SignedNumberModel, 12> across_;
   PathHead before_;
   bool outside_ = false;
 };

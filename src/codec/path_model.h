@@ -4,82 +4,104 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "codec/arc_model.h"
+#include "codec/density_grid.h"
 #include "codec/number_model.h"
 #include "codec/path_coder.h"
+#include "codec/start_position_model.h"
+#include "codec/vector_model.h"
+#include "codec/vertex_memory.h"
 #include "entropy/counter.h"
 #include "unstep/grid.h"
 
 namespace unstep::codec {
 
-/// Predicts the elements of paths. Encoder and decoder run the same object in
-/// step; everything is integer.
+/// What the paths of a payload have in common.
+struct PathFrame {
+  bool arcs = false;  ///< there are some
+  StartFrame starts;
+};
+
+/// Predicts where paths start and their elements. Encoder and decoder run the
+/// same object in step; everything is integer.
 class PathModel {
  public:
-  explicit PathModel(std::uint64_t /*elements*/) {}
+  explicit PathModel(std::uint64_t elements);
 
-  void begin(const PathHead& head) {
-    origin_ = at_ = head.origin;
-    closed_ = head.closed;
-    left_ = head.elements;
+  /// What holds for all paths of the payload, coded first.
+  template <class Coder>
+  void code_frame(Coder& coder, const PathFrame& frame) {
+    arcs_ = coder.code(frame.arcs, 32768);
+    starts_.code_frame(coder, frame.starts);
   }
-  void end() {}
 
-  /// Where the last path started.
-  [[nodiscard]] Point start() const { return origin_; }
+  /// Where the next path starts; not checked.
+  template <class Coder>
+  Vec code_start(Coder& coder, Point start) {
+    return starts_.code(coder, start, density_);
+  }
+
+  void begin(const PathHead& head);
+  void end();
 
   /// Codes the next element and goes along it. False if it cannot be.
   template <class Coder>
   bool code(Coder& coder, Path::Element& element) {
-    const bool arc = NumberModel::decide(coder, arc_[was_arc_ ? 1 : 0],
-                                         element.kind == Path::Kind::arc);
-    was_arc_ = arc;
-    Point move =
-        arc ? element.arc.end : Point{element.segment.dx, element.segment.dy};
-    if (closed_ && left_ == 1) {
-      move = {origin_.x - at_.x, origin_.y - at_.y};
-    } else if (!code_move(coder, ends_, move)) {
+    place_.arc = code_kind(coder, element.kind == Path::Kind::arc);
+    Vec move = place_.arc ? Vec{element.arc.end.x, element.arc.end.y}
+                          : Vec{element.segment.dx, element.segment.dy};
+    if (head_.closed && place_.left == 1) {
+      move = place_.home;
+    } else if (!vectors_.code(coder, place_, move)) {
       return false;
     }
-    if (arc) {
-      Arc coded;
-      coded.end = move;
-      coded.centre = element.arc.centre;
-      if (!code_move(coder, centres_, coded.centre)) return false;
-      if (coded.centre == Point{}) return false;
-      coded.clockwise =
-          NumberModel::decide(coder, clockwise_, element.arc.clockwise);
-      element = {Path::Kind::arc, {}, coded};
-    } else {
-      element = {Path::Kind::segment, {move.x, move.y}, {}};
+    Vec centre;
+    bool clockwise = element.arc.clockwise;
+    if (place_.arc) {
+      centre = {element.arc.centre.x, element.arc.centre.y};
+      if (!arc_.code(coder, move, last_, centre, clockwise) || centre.zero() ||
+          !in_range(centre)) {
+        return false;
+      }
     }
-    at_ = {at_.x + move.x, at_.y + move.y};
-    --left_;
+    if (!in_range(move)) return false;
+    element = made(place_.arc, move, centre, clockwise);
+    advance(move, centre, clockwise);
     return true;
   }
+
+  /// For a warm start and its training.
+  [[nodiscard]] VectorModel& vectors() { return vectors_; }
+  [[nodiscard]] StartPositionModel& starts() { return starts_; }
 
  private:
   template <class Coder>
-  bool code_move(Coder& coder, std::array<SignedNumberModel, 2>& models,
-                 Point& move) const {
-    const std::int64_t dx = models[0].code(coder, move.x);
-    const std::int64_t dy = models[1].code(coder, move.y);
-    const auto in_range = [](std::int64_t v) {
-      return v >= -kMaxCoord && v <= kMaxCoord;
-    };
-    if (!in_range(at_.x + dx) || !in_range(at_.y + dy)) return false;
-    move = {static_cast<std::int32_t>(dx), static_cast<std::int32_t>(dy)};
-    return true;
+  bool code_kind(Coder& coder, bool arc) {
+    if (!arcs_) return false;
+    const bool coded = NumberModel::decide(coder, kinds_[kinds_before_], arc);
+    kinds_before_ = (kinds_before_ * 2 + (coded ? 1 : 0)) % kinds_.size();
+    return coded;
   }
 
-  Point origin_;
-  Point at_;
-  bool closed_ = false;
-  bool was_arc_ = false;
-  std::uint64_t left_ = 0;
-  std::array<entropy::Counter, 2> arc_;
-  entropy::Counter clockwise_;
-  std::array<SignedNumberModel, 2> ends_;
-  std::array<SignedNumberModel, 2> centres_;
+  /// Whether the point so far from here is within the range of coordinates.
+  [[nodiscard]] bool in_range(const Vec& move) const;
+  static Path::Element made(bool arc, const Vec& move, const Vec& centre,
+                            bool clockwise);
+  void advance(const Vec& move, const Vec& centre, bool clockwise);
+
+  bool arcs_ = false;
+  VertexMemory vertices_;
+  DensityGrid density_;
+  StartPositionModel starts_;
+  VectorModel vectors_;
+  ArcModel arc_;
+  std::array<entropy::Counter, 16> kinds_;
+  std::size_t kinds_before_ = 0;
+
+  PathHead head_;
+  std::int32_t first_vertex_ = 0;
+  VectorPlace place_;
+  Vec last_;  ///< direction at the end of the element before, may be zero
 };
 
 }  // namespace unstep::codec

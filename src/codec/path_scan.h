@@ -13,6 +13,7 @@ namespace unstep::codec {
 /// Coder 24, both sides: paths one by one, each its head and then its
 /// elements. Encoder and decoder run this same code; `Side` is what differs:
 ///
+///     frame()       what holds for all paths
 ///     coder()       an arithmetic encoder or decoder
 ///     head(i)       the true head of path i
 ///     element(i, k) the true element k of path i
@@ -28,6 +29,7 @@ class PathScan {
       : side_(side), count_(count), left_(elements), model_(elements) {}
 
   Status run(const BlockProgress& progress) {
+    if (count_ > 0) model_.code_frame(side_.coder(), side_.frame());
     for (std::uint64_t i = 0; i < count_; ++i) {
       if (progress && i % 64 == 63 && !progress(i)) return cancelled();
       const bool last = i + 1 == count_;

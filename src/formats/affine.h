@@ -50,6 +50,8 @@ class FigurePen {
   FigurePen(RealDrawing& out, const Affine& transform)
       : out_(out), transform_(transform) {}
 
+  /// Where the path already is.
+  void start_at(RealPoint p) { at_ = p; }
   void move_to(RealPoint p) {
     at_ = p;
     out_.move_to(transform_(p));

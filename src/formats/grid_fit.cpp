@@ -15,6 +15,11 @@ namespace {
 constexpr double kFlattening = 0.85;
 constexpr double kRounding = 0.1;
 
+/// Files give radii with few digits, svg_path_data.cpp to within half of this:
+/// an arc may always deviate by so much, in units of the file, if the tolerance
+/// is twice as large.
+constexpr double kArcRounding = 1.0 / 256;
+
 /// The least tolerance, as a part of the larger side: finer than the grid.
 constexpr double kLeastTolerance = 1e-6;
 
@@ -108,15 +113,19 @@ double GridFit::finest() const {
 }
 
 bool GridFit::holds(double scale) const {
-  const auto fits = [scale](RealPoint p) {
-    return is_whole(p.x, scale) && is_whole(p.y, scale);
+  // What is computed may be rounded if that is little beside the tolerance.
+  const bool rounds = kRounding * tolerance_ * scale >= 0.71;
+  const auto fits = [scale, rounds](RealPoint p, bool computed) {
+    return (computed && rounds) ||
+           (is_whole(p.x, scale) && is_whole(p.y, scale));
   };
   for (const RealPath& path : source_.paths()) {
-    if (!fits(path.origin)) return false;
+    if (!fits(path.origin, path.computed)) return false;
   }
-  return all_pieces(
-      source_.paths(),
-      [&fits](RealPoint, const RealPiece& piece) { return fits(piece.end); });
+  return all_pieces(source_.paths(),
+                    [&fits](RealPoint, const RealPiece& piece) {
+                      return fits(piece.end, piece.computed);
+                    });
 }
 
 bool GridFit::holds_widths(double scale) const {
@@ -207,7 +216,9 @@ std::optional<Arc> GridFit::rounded(RealPoint from, const RealPiece& piece,
       std::hypot(from_x - piece.a.x * scale, from_y - piece.a.y * scale);
   const double shift =
       std::hypot(chosen.x - piece.a.x * scale, chosen.y - piece.a.y * scale);
-  const double allowed = kRounding * tolerance_ * scale;
+  const double allowed = std::max(kRounding * tolerance_,
+                                  std::min(kArcRounding, 0.5 * tolerance_)) *
+                         scale;
   // The sagitta changes by no more than the shift times what the ends leave.
   const double chord =
       std::hypot(piece.end.x * scale - from_x, piece.end.y * scale - from_y);

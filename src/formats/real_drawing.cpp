@@ -50,7 +50,7 @@ void RealDrawing::move_to(RealPoint at) {
   if (!check(at)) return;
   use_memory(kPathMemory);
   if (!status_) return;
-  paths_.push_back({at, false, filled_, width_, {}});
+  paths_.push_back({at, false, filled_, computed_, width_, {}});
   at_ = at;
   in_path_ = true;
 }
@@ -60,21 +60,24 @@ void RealDrawing::add(const RealPiece& piece) {
   use_memory(kPieceMemory);
   if (!status_) return;
   paths_.back().pieces.push_back(piece);
+  paths_.back().pieces.back().computed = computed_;
   at_ = piece.end;
 }
 
 void RealDrawing::line_to(RealPoint at) {
-  add({RealPiece::Kind::line, false, at, {}, {}});
+  add({RealPiece::Kind::line, false, false, at, {}, {}});
 }
 
 void RealDrawing::cubic_to(RealPoint a, RealPoint b, RealPoint end) {
-  if (check(a) && check(b)) add({RealPiece::Kind::cubic, false, end, a, b});
+  if (check(a) && check(b)) {
+    add({RealPiece::Kind::cubic, false, false, end, a, b});
+  }
 }
 
 void RealDrawing::circle(RealPoint centre, bool ascending) {
   if (centre == at_) return line_to(at_);
   if (check(centre)) {
-    add({RealPiece::Kind::circle, ascending, at_, centre, {}});
+    add({RealPiece::Kind::circle, ascending, false, at_, centre, {}});
   }
 }
 
@@ -100,7 +103,7 @@ void RealDrawing::arc_to(RealPoint centre, RealPoint end, bool ascending) {
       radius == 0) {
     return line_to(end);
   }
-  add({RealPiece::Kind::arc, ascending, end, centre, {}});
+  add({RealPiece::Kind::arc, ascending, false, end, centre, {}});
 }
 
 void RealDrawing::ellipse_to(RealPoint centre, RealPoint to_x, RealPoint to_y,

@@ -31,6 +31,7 @@ struct RealPiece {
   enum class Kind : std::uint8_t { line, arc, circle, cubic };
   Kind kind = Kind::line;
   bool ascending = false;  ///< arc, circle: angle grows from +x to +y
+  bool computed = false;   ///< the end is no vertex that the file gives
   RealPoint end;           ///< absolute, as all points
   RealPoint a;             ///< arc, circle: centre; cubic: control point
   RealPoint b;             ///< cubic: the second control point
@@ -40,7 +41,8 @@ struct RealPath {
   RealPoint origin;
   bool closed = false;
   bool filled = false;
-  double width = 0;  ///< of the pen
+  bool computed = false;  ///< the origin is no vertex that the file gives
+  double width = 0;       ///< of the pen
   std::vector<RealPiece> pieces;
 };
 
@@ -56,6 +58,10 @@ class RealDrawing {
     filled_ = filled;
     width_ = width;
   }
+
+  /// Of points from now on, where curves end that the file describes by their
+  /// angles: their rounding is one of curves.
+  void set_computed(bool computed) { computed_ = computed; }
 
   void move_to(RealPoint at);
   void line_to(RealPoint at);
@@ -97,6 +103,7 @@ class RealDrawing {
   RealPoint at_;
   bool in_path_ = false;
   bool filled_ = true;
+  bool computed_ = false;
   double width_ = 0;
 };
 

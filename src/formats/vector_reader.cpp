@@ -20,9 +20,9 @@ Result<std::vector<VectorPage>> dispatch(std::string_view bytes,
                                          const VectorReadOptions& options) {
   switch (format) {
     case VectorFormat::svg: return read_svg(bytes, options);
-    case VectorFormat::dxf: break;
-    case VectorFormat::hpgl: break;
-    case VectorFormat::json: break;
+    case VectorFormat::dxf: return read_dxf(bytes, options);
+    case VectorFormat::hpgl: return read_hpgl(bytes, options);
+    case VectorFormat::json: return read_json(bytes, options);
     case VectorFormat::freeman: return read_chain_text(bytes, options);
     case VectorFormat::pdf: break;
   }

@@ -130,6 +130,32 @@ class Reverse(unittest.TestCase):
                           sum(int(s.split()[1]) for s in segments)),
                          (-70, 30))
 
+    def test_exact_segments_are_the_longest_that_a_line_draws(self):
+        self.assertEqual(self.output(b"0100 1001000 2", "--method", "exact"),
+                         "0 1 11 3 10 6\n2 2 1 0 1 0\n")
+        self.assertEqual(self.output(b"0202 2", "--method", "exact",
+                                     "--connectivity", "4"), "0 2 5 1 2 0\n")
+        self.assertEqual(self.output(bytes([0, 2]), "--method", "exact",
+                                     "--input", "bytes"),
+                         "0 0 1 0 1 0\n2 2 1 0 1 0\n")
+
+    def test_exact_table_is_the_open_segment_after_every_step(self):
+        self.assertEqual(self.output(b"001 4", "--method", "exact", "--table"),
+                         "0 0 0 1 0 1 0\n"
+                         "0 0 0 2 0 1 0\n"
+                         "1 0 1 3 1 3 0\n"
+                         "segment 0 1 3 1 3 0\n"
+                         "4 4 4 1 0 1 0\n"
+                         "segment 4 4 1 0 1 0\n")
+
+    def test_exact_segments_are_seen_when_the_next_one_begins(self):
+        stream = Stream("--method", "exact")
+        for _ in range(3):
+            stream.send(b"7")
+        stream.send(b"3")
+        self.assertEqual(stream.line(), "7 7 3 0 1 0\n")
+        self.assertEqual(stream.close(), ("3 3 1 0 1 0\n", 0))
+
     def test_bad_input_is_named_with_its_place(self):
         self.refused(3, "unstep: standard input: holds no steps\n", b"")
         self.refused(3, "holds no steps", b" \n\n")
@@ -142,6 +168,16 @@ class Reverse(unittest.TestCase):
                      "--input", "bytes")
         self.refused(2, "unknown method 'dss2'", b"0", "--method", "dss2")
         self.refused(2, "unknown input 'hex'", b"0", "--input", "hex")
+        exact = ("--method", "exact")
+        self.refused(3, "line 1, column 2: '8' is no Freeman code", b"18",
+                     *exact)
+        self.refused(3, "line 1, column 2: '3' is a diagonal step; 4-connected",
+                     b"23", *exact, "--connectivity", "4")
+        self.refused(3, "holds no steps", b"", *exact)
+        self.refused(2, "--connectivity 6: 4 or 8", b"0", *exact,
+                     "--connectivity", "6")
+        self.refused(2, "--connectivity is for --method exact", b"0",
+                     "--connectivity", "8")
 
     def test_a_bad_file_prints_no_segments_at_all(self):
         with tempfile.TemporaryFile() as file:

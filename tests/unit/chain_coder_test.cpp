@@ -193,7 +193,7 @@ TEST(ChainCoder, StopsWhenTheCallerWantsTo) {
 
 TEST(ChainCoder, RefusesOtherNames) {
   for (const codec::CoderName& name :
-       {codec::CoderName{17, 0, 0}, codec::CoderName{16, 1, 0},
+       {codec::CoderName{17, 0, 0}, codec::CoderName{16, 2, 0},
         codec::CoderName{16, 0, 1}}) {
     const auto decoded = decode_chains(name, {}, 0, 0, YAxis::up, {});
     ASSERT_FALSE(decoded);
@@ -224,8 +224,9 @@ TEST(ChainCoder, ADrawingComesBackFromAFile) {
 /// Whatever is decoded is as declared and valid; returns whether anything was.
 bool decodes_soundly(std::span<const std::uint8_t> payload, std::uint64_t count,
                      std::uint64_t steps) {
-  const auto decoded = decode_chains({codec::kCoderChains, 0, 0}, payload,
-                                     count, steps, YAxis::up, {});
+  const auto decoded =
+      decode_chains({codec::kCoderChains, codec::kChainRevision, 0}, payload,
+                    count, steps, YAxis::up, {});
   if (!decoded) {
     EXPECT_EQ(decoded.error().code, ErrorCode::corrupt);
     return false;
@@ -248,8 +249,9 @@ TEST(ChainCoder, DamagedPayloadsAreRefusedOrSound) {
     std::vector<std::uint8_t> damaged = payload;
     damaged[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
     decodes_soundly(damaged, chains.size(), steps);
-    const auto decoded = decode_chains({codec::kCoderChains, 0, 0}, damaged,
-                                       chains.size(), steps, YAxis::up, {});
+    const auto decoded =
+        decode_chains({codec::kCoderChains, codec::kChainRevision, 0}, damaged,
+                      chains.size(), steps, YAxis::up, {});
     EXPECT_FALSE(decoded && *decoded == chains) << "bit " << bit;
   }
   std::vector<std::uint8_t> longer = payload;

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "codec/context.h"
+#include "entropy/counter.h"
+#include "entropy/mixer.h"
+
+namespace unstep::codec {
+
+/// Predicts binary decisions from kContexts contexts. The value of each
+/// context is set once for a whole number; every decision of the number has a
+/// node of its own. A context and a node together name a counter of a table
+/// without checks.
+template <std::size_t kContexts>
+class DecisionModel {
+ public:
+  static constexpr std::size_t kInputs = (2 * kContexts + 1 + 7) / 8 * 8;
+  static constexpr std::size_t kSelectors = 1024;  ///< of each set
+  using Weights = std::array<std::int16_t, kInputs>;
+  using Values = std::array<std::uint64_t, kContexts>;
+
+  DecisionModel(int table_bits, std::span<const Weights> initial)
+      : table_bits_(table_bits),
+        counters_(kContexts << table_bits),
+        mixer_({kSelectors, kSelectors}, initial) {}
+
+  void set_contexts(const Values& values) { values_ = values; }
+
+  /// `selectors` are taken modulo kSelectors.
+  template <class Coder>
+  bool code(Coder& coder, bool bit, std::uint32_t node,
+            const std::array<std::uint32_t, 2>& selectors) {
+    auto& inputs = mixer_.inputs();
+    std::array<entropy::Counter*, kContexts> active{};
+    for (std::size_t i = 0; i < kContexts; ++i) {
+      const std::uint64_t hash = mix(values_[i] + i, node) * kGolden;
+      active[i] = &counters_[(i << table_bits_) + (hash >> (64 - table_bits_))];
+      const entropy::Counter& c = *active[i];
+      inputs[2 * i] = static_cast<std::int16_t>(entropy::stretch(c.p));
+      inputs[2 * i + 1] =
+          static_cast<std::int16_t>(((c.p - 32768) * kTrust[c.n]) >> 16);
+    }
+    inputs[2 * kContexts] = 77;
+    const int x =
+        mixer_.mix({selectors[0] % kSelectors, selectors[1] % kSelectors});
+    bit = coder.code(bit, std::clamp(entropy::squash(x), 8, 65528));
+    mixer_.update(bit);
+    for (entropy::Counter* c : active) c->update(bit);
+    return bit;
+  }
+
+  /// For a warm start and its training: counter `index` of a table of
+  /// context i as if it had 2^16 entries.
+  [[nodiscard]] entropy::Counter& counter(std::size_t i, std::uint32_t index) {
+    return counters_[(i << table_bits_) + (index >> (16 - table_bits_))];
+  }
+  [[nodiscard]] const entropy::Mixer<kInputs, 2>& mixer() const {
+    return mixer_;
+  }
+
+ private:
+  int table_bits_;
+  std::vector<entropy::Counter> counters_;
+  entropy::Mixer<kInputs, 2> mixer_;
+  Values values_{};
+};
+
+}  // namespace unstep::codec

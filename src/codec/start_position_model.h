@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "codec/decision_model.h"
+#include "codec/density_grid.h"
+#include "codec/number_model.h"
+#include "codec/vector_classes.h"
+#include "unstep/grid.h"
+
+namespace unstep::codec {
+
+/// The range of all x: below 2^levels, levels 0..31, and from 0 or, if there
+/// are negative ones, -2^levels.
+struct StartFrame {
+  bool negative = false;
+  int levels = 0;
+
+  void add(std::int32_t x) {
+    negative |= x < 0;
+    const auto size = static_cast<std::uint32_t>(x < 0 ? -x : x);
+    levels = std::max(levels, static_cast<int>(std::bit_width(size)));
+  }
+};
+
+/// Predicts where paths and chains start: y from the path before, then x by
+/// halving the range, with what is already there on either side as contexts.
+class StartPositionModel {
+ public:
+  static constexpr std::size_t kContexts = 7;
+  using Decisions = DecisionModel<kContexts>;
+
+  explicit StartPositionModel(int table_bits);
+
+  /// What holds for all starts, coded first.
+  template <class Coder>
+  void code_frame(Coder& coder, const StartFrame& frame) {
+    const bool negative = coder.code(frame.negative, 32768);
+    int levels = 0;
+    for (int bit = 4; bit >= 0; --bit) {
+      const bool one = coder.code((frame.levels >> bit & 1) != 0, 32768);
+      levels |= one ? 1 << bit : 0;
+    }
+    levels_ = levels + (negative ? 1 : 0);
+    lowest_ = negative ? -(std::int64_t{1} << levels) : 0;
+  }
+
+  /// What was coded; y may be out of the range of coordinates.
+  template <class Coder>
+  Vec code(Coder& coder, Point start, const DensityGrid& density) {
+    const std::int64_t dy =
+        down_[down_before_].code(coder, std::int64_t{start.y} - before_.y);
+    const std::int64_t size = dy < 0 ? -dy : dy;
+    down_before_ = size == 0 ? 0 : size < 4 ? 1 : size < 64 ? 2 : 3;
+    const std::int64_t y = before_.y + dy;
+    const bool same_row = dy == 0;
+    std::int64_t low = lowest_;
+    for (int level = levels_; level > 0; --level) {
+      const std::int64_t middle = low + (std::int64_t{1} << (level - 1));
+      const auto selectors = set_contexts(density, low, level, y, same_row);
+      const bool right =
+          decisions_.code(coder, start.x >= middle,
+                          static_cast<std::uint32_t>(level), selectors);
+      if (right) low = middle;
+    }
+    before_ = {low, y};
+    return before_;
+  }
+
+  [[nodiscard]] Decisions& decisions() { return decisions_; }
+
+ private:
+  std::array<std::uint32_t, 2> set_contexts(const DensityGrid& density,
+                                            std::int64_t low, int level,
+                                            std::int64_t y, bool same_row);
+
+  Decisions decisions_;
+  std::array<SignedNumberModel, 4> down_;
+  std::size_t down_before_ = 0;
+  Vec before_;
+  int levels_ = 0;
+  std::int64_t lowest_ = 0;
+};
+
+}  // namespace unstep::codec
