@@ -165,11 +165,8 @@ class ArcCrossings {
     bool arcs = false;
     for (std::uint32_t i = 0; i < paths_.size(); ++i) {
       const ArcPath& path = paths_[i];
-      if (path.circle_start) {
-        Curve circle{i, 0, true, vector_of(*path.circle_start),
-                     vector_of(*path.circle_start)};
-        set_arc(circle, path.circle);
-        curves_.push_back(circle);
+      if (path.ring) {
+        collect_ring(i, *path.ring);
         arcs = true;
         continue;
       }
@@ -186,6 +183,18 @@ class ArcCrossings {
       }
     }
     return arcs;
+  }
+
+  void collect_ring(std::uint32_t path, const RingArcs& ring) {
+    counts_[path] = static_cast<std::uint32_t>(ring.arcs.size());
+    Vector at = vector_of(ring.start);
+    for (std::uint32_t k = 0; k < ring.arcs.size(); ++k) {
+      const Vector end = vector_of(ring.arcs[k].end);
+      Curve curve{path, k, true, at, {at.x + end.x, at.y + end.y}};
+      set_arc(curve, ring.arcs[k]);
+      curves_.push_back(curve);
+      at = curve.to;
+    }
   }
 
   [[nodiscard]] std::uint64_t key(std::int64_t column, std::int64_t row) const {
@@ -247,6 +256,8 @@ class ArcCrossings {
     const Curve& a = curves_[i];
     const Curve& b = curves_[k];
     if (!a.is_arc && !b.is_arc) return;
+    // Arcs of one ring follow one another round nearly the same centre.
+    if (a.path == b.path && paths_[a.path].ring) return;
     if (wrong[i] || wrong[k]) return;
     if (!cross(a.is_arc ? a : b, a.is_arc ? b : a)) return;
     // The longer arc goes.
@@ -259,7 +270,8 @@ class ArcCrossings {
   [[nodiscard]] bool cross(const Curve& arc, const Curve& other) const {
     const Meetings found = meetings(arc, other);
     if (!found.any) return false;
-    if (found.everywhere) return true;
+    if (found.everywhere)
+      return !is_joint(arc, other, arc.from) && !is_joint(arc, other, arc.to);
     for (const Vector& at : found.at) {
       if (!holds(arc, at) || !holds(other, at)) continue;
       if (!is_joint(arc, other, at)) return true;
@@ -289,8 +301,8 @@ class ArcCrossings {
       };
       if (std::find(at(first), at(index), true) == at(index)) continue;
       changed[i] = true;
-      if (paths_[i].circle_start)
-        paths_[i].circle_start.reset();
+      if (paths_[i].ring)
+        paths_[i].ring.reset();
       else
         remove_from(paths_[i], at(first));
     }

@@ -115,11 +115,8 @@ ArcPath fit_arcs(const ChainWalk& chain, const ArcFitter& fitter,
   ArcPath path = without_arcs(std::move(vertices));
   const std::vector<Point> points = points_of(chain, path.vertices);
   if (chain.closed()) {
-    if (const std::optional<FullCircle> circle = fitter.fit_circle(points)) {
-      path.circle_start = circle->start;
-      path.circle = circle->arc;
-      return path;
-    }
+    path.ring = fitter.fit_ring(points);
+    if (path.ring) return path;
   }
   path.parts = ArcLayer(fitter, points, path.vertices).run();
   if (chain.closed()) improve_start(chain, fitter, path);
@@ -128,15 +125,16 @@ ArcPath fit_arcs(const ChainWalk& chain, const ArcFitter& fitter,
 
 ArcPath without_arcs(LineVertices vertices) {
   PathParts parts = lines_only(vertices);
-  return {std::move(vertices), std::move(parts), {}, {}};
+  return {std::move(vertices), std::move(parts), {}};
 }
 
 Path path_of(const ArcPath& from, bool closed) {
   Path path;
   path.closed = closed;
-  if (from.circle_start) {
-    path.origin = *from.circle_start;
-    path.elements.push_back({Path::Kind::arc, {}, from.circle});
+  if (from.ring) {
+    path.origin = from.ring->start;
+    for (const Arc& arc : from.ring->arcs)
+      path.elements.push_back({Path::Kind::arc, {}, arc});
     return path;
   }
   path.origin = from.vertices.front().at;
