@@ -29,7 +29,7 @@ struct Curve {
   bool is_arc = false;
   Vector from;
   Vector to;
-  Vector centre;
+  Vector centre = {};
   double radius = 0;
   double first = 0;  ///< angle at `from`
   double turn = 0;   ///< > 0 counter-clockwise by the numbers
@@ -44,8 +44,8 @@ void set_arc(Curve& curve, const Arc& arc) {
   Vector centre = vector_of(arc.centre);
   const Vector end = vector_of(arc.end);
   if (arc.end != Point{}) {
-    const double k = (centre.y * end.x - centre.x * end.y) /
-                     (end.x * end.x + end.y * end.y);
+    const double k =
+        (centre.y * end.x - centre.x * end.y) / (end.x * end.x + end.y * end.y);
     centre = {end.x / 2 - end.y * k, end.y / 2 + end.x * k};
   }
   curve.centre = {curve.from.x + centre.x, curve.from.y + centre.y};
@@ -96,8 +96,7 @@ struct Meetings {
 /// Where the circle meets a line through `p` along the unit vector `d`. A line
 /// that passes by closely touches.
 Meetings meet_line(const Curve& arc, Vector p, Vector d) {
-  const double along =
-      (arc.centre.x - p.x) * d.x + (arc.centre.y - p.y) * d.y;
+  const double along = (arc.centre.x - p.x) * d.x + (arc.centre.y - p.y) * d.y;
   const Vector foot{p.x + along * d.x, p.y + along * d.y};
   const double off = distance(foot, arc.centre);
   if (off > arc.radius + kNear) return {};
@@ -125,10 +124,9 @@ Meetings meetings(const Curve& arc, const Curve& other) {
   // The line through both places where the circles meet.
   const Vector d{(other.centre.x - arc.centre.x) / apart,
                  (other.centre.y - arc.centre.y) / apart};
-  const double along =
-      (apart + (arc.radius - other.radius) * (arc.radius + other.radius) /
-                   apart) /
-      2;
+  const double along = (apart + (arc.radius - other.radius) *
+                                    (arc.radius + other.radius) / apart) /
+                       2;
   const double reach = std::clamp(along, -arc.radius, arc.radius);
   return meet_line(arc,
                    {arc.centre.x + reach * d.x, arc.centre.y + reach * d.y},
@@ -167,11 +165,8 @@ class ArcCrossings {
     bool arcs = false;
     for (std::uint32_t i = 0; i < paths_.size(); ++i) {
       const ArcPath& path = paths_[i];
-      if (path.circle_start) {
-        Curve circle{i, 0, true, vector_of(*path.circle_start),
-                     vector_of(*path.circle_start)};
-        set_arc(circle, path.circle);
-        curves_.push_back(circle);
+      if (path.ring) {
+        collect_ring(i, *path.ring);
         arcs = true;
         continue;
       }
@@ -190,6 +185,18 @@ class ArcCrossings {
     return arcs;
   }
 
+  void collect_ring(std::uint32_t path, const RingArcs& ring) {
+    counts_[path] = static_cast<std::uint32_t>(ring.arcs.size());
+    Vector at = vector_of(ring.start);
+    for (std::uint32_t k = 0; k < ring.arcs.size(); ++k) {
+      const Vector end = vector_of(ring.arcs[k].end);
+      Curve curve{path, k, true, at, {at.x + end.x, at.y + end.y}};
+      set_arc(curve, ring.arcs[k]);
+      curves_.push_back(curve);
+      at = curve.to;
+    }
+  }
+
   [[nodiscard]] std::uint64_t key(std::int64_t column, std::int64_t row) const {
     return static_cast<std::uint64_t>(column) << 32 |
            static_cast<std::uint32_t>(row);
@@ -197,15 +204,13 @@ class ArcCrossings {
 
   void add(std::uint32_t index) {
     const Curve& curve = curves_[index];
-    const double length = curve.is_arc
-                              ? curve.radius * std::abs(curve.turn)
-                              : distance(curve.from, curve.to);
-    const auto pieces =
-        static_cast<std::size_t>(std::ceil(length / cell_)) + 1;
+    const double length = curve.is_arc ? curve.radius * std::abs(curve.turn)
+                                       : distance(curve.from, curve.to);
+    const auto pieces = static_cast<std::size_t>(std::ceil(length / cell_)) + 1;
     Vector a = curve.from;
     for (std::size_t i = 1; i <= pieces; ++i) {
-      const Vector b = place_on(curve, static_cast<double>(i) /
-                                           static_cast<double>(pieces));
+      const Vector b =
+          place_on(curve, static_cast<double>(i) / static_cast<double>(pieces));
       // A piece bulges from its chord by at most an eighth of its length
       // squared over the radius, and that is at most the length.
       const double bulge =
@@ -233,7 +238,8 @@ class ArcCrossings {
               });
     for (std::size_t first = 0; first < entries_.size();) {
       std::size_t end = first + 1;
-      while (end < entries_.size() && entries_[end].cell == entries_[first].cell)
+      while (end < entries_.size() &&
+             entries_[end].cell == entries_[first].cell)
         ++end;
       for (std::size_t i = first; i < end; ++i) {
         if (i > first && entries_[i].curve == entries_[i - 1].curve) continue;
@@ -250,6 +256,8 @@ class ArcCrossings {
     const Curve& a = curves_[i];
     const Curve& b = curves_[k];
     if (!a.is_arc && !b.is_arc) return;
+    // Arcs of one ring follow one another round nearly the same centre.
+    if (a.path == b.path && paths_[a.path].ring) return;
     if (wrong[i] || wrong[k]) return;
     if (!cross(a.is_arc ? a : b, a.is_arc ? b : a)) return;
     // The longer arc goes.
@@ -262,7 +270,8 @@ class ArcCrossings {
   [[nodiscard]] bool cross(const Curve& arc, const Curve& other) const {
     const Meetings found = meetings(arc, other);
     if (!found.any) return false;
-    if (found.everywhere) return true;
+    if (found.everywhere)
+      return !is_joint(arc, other, arc.from) && !is_joint(arc, other, arc.to);
     for (const Vector& at : found.at) {
       if (!holds(arc, at) || !holds(other, at)) continue;
       if (!is_joint(arc, other, at)) return true;
@@ -276,8 +285,7 @@ class ArcCrossings {
     const std::uint32_t count = counts_[a.path];
     const auto follows = [&](const Curve& p, const Curve& q) {
       const bool next = q.part == p.part + 1 ||
-                        (closed_[a.path] && q.part == 0 &&
-                         p.part + 1 == count);
+                        (closed_[a.path] && q.part == 0 && p.part + 1 == count);
       return next && distance(p.to, at) <= 2 * kNear;
     };
     return follows(a, b) || follows(b, a);
@@ -293,8 +301,8 @@ class ArcCrossings {
       };
       if (std::find(at(first), at(index), true) == at(index)) continue;
       changed[i] = true;
-      if (paths_[i].circle_start)
-        paths_[i].circle_start.reset();
+      if (paths_[i].ring)
+        paths_[i].ring.reset();
       else
         remove_from(paths_[i], at(first));
     }

@@ -152,11 +152,6 @@ struct Box {
   }
 };
 
-double distance(Point a, Point b) {
-  return std::hypot(static_cast<double>(a.x) - b.x,
-                    static_cast<double>(a.y) - b.y);
-}
-
 /// Twice the area to the left of the ring.
 Int128 area(std::span<const Point> ring) {
   Int128 sum = 0;
@@ -165,10 +160,68 @@ Int128 area(std::span<const Point> ring) {
   return sum;
 }
 
+struct Circle {
+  double x = 0;
+  double y = 0;
+  double radius = 0;
+  double half_width = 0;  ///< all points are within this of the circle
+
+  [[nodiscard]] double off(Point p) const {
+    return std::abs(std::hypot(p.x - x, p.y - y) - radius);
+  }
+};
+
+/// The ring's points lie between two circles about (x, y): the one midway.
+Circle midway(std::span<const Point> ring, double x, double y) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+  for (const Point p : ring) {
+    const double d = std::hypot(p.x - x, p.y - y);
+    low = std::min(low, d);
+    high = std::max(high, d);
+  }
+  return {x, y, (low + high) / 2, (high - low) / 2};
+}
+
+/// The circle of least squares of |p - c|^2 - r^2 (Kasa), about the middle of
+/// the box so that the sums stay small.
+Circle least_squares(std::span<const Point> ring, double x, double y) {
+  double xx = 0, xy = 0, yy = 0, xs = 0, ys = 0, sx = 0, sy = 0, ss = 0;
+  for (const Point p : ring) {
+    const double u = p.x - x;
+    const double v = p.y - y;
+    const double s = u * u + v * v;
+    xx += u * u;
+    xy += u * v;
+    yy += v * v;
+    xs += u * s;
+    ys += v * s;
+    sx += u;
+    sy += v;
+    ss += s;
+  }
+  const auto n = static_cast<double>(ring.size());
+  xx -= sx * sx / n;
+  xy -= sx * sy / n;
+  yy -= sy * sy / n;
+  xs -= sx * ss / n;
+  ys -= sy * ss / n;
+  const double det = 2 * (xx * yy - xy * xy);
+  if (!(det > 0)) return midway(ring, x, y);
+  return midway(ring, x + (xs * yy - ys * xy) / det,
+                y + (ys * xx - xs * xy) / det);
+}
+
+std::vector<Point> begun_at(std::span<const Point> ring, std::size_t start) {
+  const auto middle = ring.begin() + static_cast<std::ptrdiff_t>(start);
+  std::vector<Point> result(middle, ring.end());
+  result.insert(result.end(), ring.begin() + 1, middle + 1);
+  return result;
+}
+
 }  // namespace
 
-std::optional<FullCircle> ArcFitter::fit_circle(
-    std::span<const Point> ring) const {
+std::optional<RingArcs> ArcFitter::fit_ring(std::span<const Point> ring) const {
   const Box box(ring);
   const std::int64_t wide = box.high_x - box.low_x;
   const std::int64_t tall = box.high_y - box.low_y;
@@ -176,37 +229,75 @@ std::optional<FullCircle> ArcFitter::fit_circle(
   if (static_cast<double>(std::abs(wide - tall)) > 4 * t_) return std::nullopt;
   const std::int64_t x = (box.low_x + box.high_x) >> 1;
   const std::int64_t y = (box.low_y + box.high_y) >> 1;
-  std::vector<Point> turned;
+  // Most squarish rings are no circles: their middle tells it at once.
+  const double most = 2 * t_ + 2 * static_cast<double>(unit_);
+  if (midway(ring, static_cast<double>(x), static_cast<double>(y)).half_width >
+      most)
+    return std::nullopt;
   for (int i = 0; i < 4; ++i) {
     // A box of odd size has its centre between whole points.
     if ((i & 1) != 0 && wide % 2 == 0) continue;
     if ((i & 2) != 0 && tall % 2 == 0) continue;
     const Point centre{static_cast<std::int32_t>(x + (i & 1)),
                        static_cast<std::int32_t>(y + (i >> 1))};
-    double low = std::numeric_limits<double>::infinity();
-    double high = 0;
-    for (const Point p : ring) {
-      const double d = distance(p, centre);
-      low = std::min(low, d);
-      high = std::max(high, d);
-      if (high - low > 2 * t_) break;
-    }
-    if (high - low > 2 * t_) continue;
-    const double radius = (low + high) / 2;
-    const auto nearer = [&](Point a, Point b) {
-      return std::abs(distance(a, centre) - radius) <
-             std::abs(distance(b, centre) - radius);
-    };
-    const auto start = std::min_element(ring.begin(), ring.end() - 1, nearer);
-    const FullCircle circle{*start,
-                            {{centre.x - start->x, centre.y - start->y},
-                             {},
-                             area(ring) < 0}};
-    turned.assign(start, ring.end());
-    turned.insert(turned.end(), ring.begin() + 1, start + 1);
-    if (proves(circle.arc, {turned, *start, *start})) return circle;
+    if (auto whole = full_circle(ring, centre)) return whole;
   }
-  return std::nullopt;
+  auto halves = split_circle(ring, 2);
+  return halves ? halves : split_circle(ring, 3);
+}
+
+std::optional<RingArcs> ArcFitter::full_circle(std::span<const Point> ring,
+                                               Point centre) const {
+  const Circle circle = midway(ring, centre.x, centre.y);
+  if (circle.half_width > t_) return std::nullopt;
+  const auto start = std::min_element(
+      ring.begin(), ring.end() - 1,
+      [&](Point a, Point b) { return circle.off(a) < circle.off(b); });
+  const Arc arc{{centre.x - start->x, centre.y - start->y}, {}, area(ring) < 0};
+  const std::vector<Point> turned =
+      begun_at(ring, static_cast<std::size_t>(start - ring.begin()));
+  if (!proves(arc, {turned, *start, *start})) return std::nullopt;
+  return RingArcs{*start, {arc}};
+}
+
+/// Ends are sought in a part of the ring near their places, so that no arc is
+/// much more than its share.
+std::optional<RingArcs> ArcFitter::split_circle(std::span<const Point> ring,
+                                                std::size_t count) const {
+  const Circle circle = least_squares(ring, ring[0].x, ring[0].y);
+  const std::size_t lap = ring.size() - 1;
+  if (circle.half_width > t_ || lap < 8 * count) return std::nullopt;
+  const auto nearest = [&](std::size_t from, std::size_t to) {
+    return static_cast<std::size_t>(
+        std::min_element(
+            ring.begin() + static_cast<std::ptrdiff_t>(from),
+            ring.begin() + static_cast<std::ptrdiff_t>(to),
+            [&](Point a, Point b) { return circle.off(a) < circle.off(b); }) -
+        ring.begin());
+  };
+  const std::size_t window = lap / (4 * count);
+  const std::size_t first = nearest(0, window);
+  RingArcs result{ring[first], {}};
+  std::size_t at = first;
+  for (std::size_t i = 1; i <= count; ++i) {
+    const std::size_t share = i * lap / count;
+    const std::size_t next =
+        i == count ? first + lap : nearest(share, share + window);
+    std::vector<Point> turned;
+    std::span<const Point> points = ring;
+    if (next > lap) {
+      turned = begun_at(ring, first);
+      points = turned;
+    }
+    const std::size_t shift = next > lap ? first : 0;
+    const std::optional<Arc> arc =
+        fit({points.subspan(at - shift, next - at + 1), points[at - shift],
+             points[next - shift]});
+    if (!arc) return std::nullopt;
+    result.arcs.push_back(*arc);
+    at = next;
+  }
+  return result;
 }
 
 bool ArcFitter::proves(const Arc& arc, const ArcTask& task) const {

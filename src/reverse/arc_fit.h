@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "grid/arc_circle.h"
 #include "reverse/tolerance_cone.h"
@@ -18,10 +19,11 @@ struct ArcTask {
   Point end;
 };
 
-/// A ring that is one circle.
-struct FullCircle {
+/// A ring that is one circle: one full circle, or two or three arcs from
+/// point to point of the chain.
+struct RingArcs {
   Point start;
-  Arc arc;
+  std::vector<Arc> arcs;
 };
 
 /// Fits one arc between two given ends. All circles through both ends are a
@@ -37,9 +39,10 @@ class ArcFitter {
   /// in integers; none if none was found or start == end.
   [[nodiscard]] std::optional<Arc> fit(const ArcTask& task) const;
 
-  /// One circle for a whole ring, whose last point is its first, started at
-  /// the point that is most nearly on it. Its centre is a whole point.
-  [[nodiscard]] std::optional<FullCircle> fit_circle(
+  /// A whole ring, whose last point is its first, as one circle. Full circles
+  /// have a whole centre and start at the point that is most nearly on them;
+  /// any other centre takes two arcs, or three.
+  [[nodiscard]] std::optional<RingArcs> fit_ring(
       std::span<const Point> ring) const;
 
   /// The proof alone. The walk of the checker, but from one place to one
@@ -49,6 +52,10 @@ class ArcFitter {
  private:
   struct Pencil;
 
+  [[nodiscard]] std::optional<RingArcs> full_circle(std::span<const Point> ring,
+                                                    Point centre) const;
+  [[nodiscard]] std::optional<RingArcs> split_circle(
+      std::span<const Point> ring, std::size_t count) const;
   [[nodiscard]] bool decides(const Arc& arc) const;
 
   std::int64_t numerator_;

@@ -111,31 +111,30 @@ void improve_start(const ChainWalk& chain, const ArcFitter& fitter,
 
 ArcPath fit_arcs(const ChainWalk& chain, const ArcFitter& fitter,
                  LineVertices vertices) {
-  ArcPath path{std::move(vertices), {}, {}, {}};
-  if (path.vertices.size() <= kLeastLines) {
-    path.parts = lines_only(path.vertices);
-    return path;
-  }
+  if (vertices.size() <= kLeastLines) return without_arcs(std::move(vertices));
+  ArcPath path = without_arcs(std::move(vertices));
   const std::vector<Point> points = points_of(chain, path.vertices);
   if (chain.closed()) {
-    if (const std::optional<FullCircle> circle = fitter.fit_circle(points)) {
-      path.circle_start = circle->start;
-      path.circle = circle->arc;
-      path.parts = lines_only(path.vertices);
-      return path;
-    }
+    path.ring = fitter.fit_ring(points);
+    if (path.ring) return path;
   }
   path.parts = ArcLayer(fitter, points, path.vertices).run();
   if (chain.closed()) improve_start(chain, fitter, path);
   return path;
 }
 
+ArcPath without_arcs(LineVertices vertices) {
+  PathParts parts = lines_only(vertices);
+  return {std::move(vertices), std::move(parts), {}};
+}
+
 Path path_of(const ArcPath& from, bool closed) {
   Path path;
   path.closed = closed;
-  if (from.circle_start) {
-    path.origin = *from.circle_start;
-    path.elements.push_back({Path::Kind::arc, {}, from.circle});
+  if (from.ring) {
+    path.origin = from.ring->start;
+    for (const Arc& arc : from.ring->arcs)
+      path.elements.push_back({Path::Kind::arc, {}, arc});
     return path;
   }
   path.origin = from.vertices.front().at;

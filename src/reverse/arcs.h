@@ -24,10 +24,9 @@ using PathParts = std::vector<PathPart>;
 struct ArcPath {
   LineVertices vertices;
   PathParts parts;
-  /// The whole ring as one full circle from there; `parts` are then lines, for
-  /// the case that it may not stay.
-  std::optional<Point> circle_start;
-  Arc circle;
+  /// The whole ring as one circle; `parts` are then lines, for the case that
+  /// it may not stay.
+  std::optional<RingArcs> ring;
 };
 
 /// An arc is taken if it stands for at least so many lines: it has two numbers
@@ -36,10 +35,13 @@ inline constexpr std::size_t kLeastLines = 3;
 
 /// Replaces lines by arcs, from each vertex the longest that is found by
 /// doubling and halving. Every arc is proved (ArcFitter). A ring may start at
-/// another of its vertices, and is one full circle if it can be. Time O(steps
+/// another of its vertices, and is one circle if it can be. Time O(steps
 /// log steps) at most, O(steps) for the usual short arcs.
 ArcPath fit_arcs(const ChainWalk& chain, const ArcFitter& fitter,
                  LineVertices vertices);
+
+/// The lines as they are.
+ArcPath without_arcs(LineVertices vertices);
 
 /// Puts lines back for arcs that meet other parts of the drawing, but for the
 /// joints of neighbours; and arcs that only touch or come within 2^-10 path

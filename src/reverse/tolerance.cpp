@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "reverse/arcs.h"
 #include "reverse/chain_check.h"
 #include "reverse/chain_walk.h"
 #include "reverse/refine.h"
@@ -16,6 +17,7 @@
 namespace unstep {
 namespace {
 
+using reverse::ArcPath;
 using reverse::ChainWalk;
 using reverse::LineVertices;
 using reverse::PathTolerance;
@@ -73,17 +75,34 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
   return lines;
 }
 
-Path path_of(const LineVertices& vertices, bool closed) {
-  Path path;
-  path.origin = vertices.front().at;
-  path.closed = closed;
-  path.elements.resize(vertices.size() - 1);
-  for (std::size_t i = 0; i < path.elements.size(); ++i) {
-    const Point from = vertices[i].at;
-    const Point to = vertices[i + 1].at;
-    path.elements[i].segment = {to.x - from.x, to.y - from.y};
+/// Arcs for lines where that is wanted; at a tolerance of at most 1 none that
+/// crosses anything. `lines` are spent.
+std::vector<ArcPath> add_arcs(std::span<const ChainWalk> chains,
+                              const ToleranceOptions& options,
+                              std::vector<LineVertices> lines,
+                              ToleranceReport& report) {
+  const std::int32_t scale = path_scale(options.tolerance);
+  const reverse::ArcFitter fitter(in_path_units(options.tolerance), scale);
+  std::vector<ArcPath> paths;
+  std::vector<bool> closed;
+  paths.reserve(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    closed.push_back(chains[i].closed());
+    paths.push_back(
+        options.arcs ? reverse::fit_arcs(chains[i], fitter, std::move(lines[i]))
+                     : reverse::without_arcs(std::move(lines[i])));
+    lines[i] = {};
   }
-  return path;
+  if (options.arcs &&
+      options.tolerance.numerator <= options.tolerance.denominator) {
+    report.refined += reverse::remove_crossing_arcs(paths, closed, scale);
+  }
+  return paths;
+}
+
+void count(const Path& path, ToleranceReport& report) {
+  for (const Path::Element& element : path.elements)
+    ++(element.kind == Path::Kind::arc ? report.arcs : report.segments);
 }
 
 }  // namespace
@@ -110,7 +129,10 @@ Result<Path> reverse_tolerance(const Chain& chain, YAxis axis,
   if (Status s = reverse::check_chain(chain, axis, scale); !s) return s.error();
   const ChainWalk walk(chain, axis, scale);
   ToleranceReport report;
-  return path_of(fit_all({&walk, 1}, options, report).front(), chain.closed);
+  std::vector<LineVertices> lines = fit_all({&walk, 1}, options, report);
+  return reverse::path_of(
+      add_arcs({&walk, 1}, options, std::move(lines), report).front(),
+      chain.closed);
 }
 
 Result<Drawing> reverse_tolerance(const Drawing& drawing,
@@ -136,12 +158,13 @@ Result<Drawing> reverse_tolerance(const Drawing& drawing,
     walks.emplace_back(chain, axis, result.scale);
   }
   ToleranceReport done;
-  std::vector<LineVertices> lines = fit_all(walks, options, done);
-  result.paths.reserve(lines.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    done.segments += lines[i].size() - 1;
-    result.paths.push_back(path_of(lines[i], walks[i].closed()));
-    lines[i] = {};
+  std::vector<ArcPath> paths =
+      add_arcs(walks, options, fit_all(walks, options, done), done);
+  result.paths.reserve(paths.size());
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    result.paths.push_back(reverse::path_of(paths[i], walks[i].closed()));
+    count(result.paths.back(), done);
+    paths[i] = {};
   }
   if (report != nullptr) *report = done;
   return result;
