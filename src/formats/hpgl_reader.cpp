@@ -147,11 +147,11 @@ void HpglReader::pen_up() {
     begin_path();
     drawing_.line_to(to_page_(at_));
   }
-  if (in_path_) {
-    const std::vector<RealPath>& paths = drawing_.paths();
-    if (!paths.empty() && drawing_.at() == paths.back().origin &&
-        (paths.back().pieces.size() > 1 ||
-         paths.back().pieces.front().kind == RealPiece::Kind::circle)) {
+  if (in_path_ && drawing_.status()) {
+    const RealPath& path = drawing_.paths().back();
+    const bool is_circle = path.pieces.size() == 1 &&
+                           path.pieces.front().kind == RealPiece::Kind::circle;
+    if (drawing_.at() == path.origin && (path.pieces.size() > 1 || is_circle)) {
       drawing_.close();
     }
     drawing_.end_path();

@@ -10,7 +10,8 @@
 #include "unstep/trace.h"
 
 /// convert IN OUT: a raster's contours, or the paths of a vector file, as a
-/// vector file of the kind that OUT ends with. What tests/clients hands to
+/// vector file of the kind that OUT ends with; or, for a raster and .pbm, the
+/// ink of its first page. What tests/clients hands to
 /// programs that we did not write.
 namespace {
 
@@ -64,17 +65,42 @@ Status convert_vector(std::string_view bytes, VectorFormat from,
   return writer.finish();
 }
 
+/// The ink itself, to compare with.
+Status write_raster(RasterReader& reader, std::ostream& file) {
+  Result<RasterWriter> writer = RasterWriter::create(RasterFormat::pbm);
+  if (!writer) return writer.error();
+  const Result<RasterPage> page = reader.read(0);
+  if (!page) return page.error();
+  if (Status added = writer->add_page(page->ink, {}, nullptr); !added) {
+    return added;
+  }
+  const Result<std::vector<std::uint8_t>> bytes = writer->finish();
+  if (!bytes) return bytes.error();
+  file.write(reinterpret_cast<const char*>(bytes->data()),
+             static_cast<std::streamsize>(bytes->size()));
+  return {};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 3) return fail("usage: convert IN OUT");
   const std::string in = argv[1];
   const std::string out = argv[2];
-  const Result<VectorFormat> to = format_of(out);
-  if (!to) return fail(to.error().message);
   Result<std::vector<std::uint8_t>> bytes = read_file(in, 1U << 30);
   if (!bytes) return fail(bytes.error().message);
   std::ofstream file(out, std::ios::binary);
+  const Result<VectorFormat> from = format_of(in);
+  const std::string text =
+      from ? std::string(bytes->begin(), bytes->end()) : "";
+  Result<RasterReader> raster = RasterReader::open(std::move(*bytes), {});
+  if (!from && !raster) return fail(raster.error().message);
+  if (out.ends_with(".pbm")) {
+    const Status done = write_raster(*raster, file);
+    return done ? 0 : fail(done.error().message);
+  }
+  const Result<VectorFormat> to = format_of(out);
+  if (!to) return fail(to.error().message);
   Result<VectorWriter> writer =
       VectorWriter::create(*to, [&file](std::string_view part) -> Status {
         file.write(part.data(), static_cast<std::streamsize>(part.size()));
@@ -82,16 +108,8 @@ int main(int argc, char** argv) {
         return Error{ErrorCode::io_error, "cannot write"};
       });
   if (!writer) return fail(writer.error().message);
-  Status done;
-  if (const Result<VectorFormat> from = format_of(in); from) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes->data()),
-                                bytes->size());
-    done = convert_vector(text, *from, *writer);
-  } else {
-    Result<RasterReader> reader = RasterReader::open(std::move(*bytes), {});
-    if (!reader) return fail(reader.error().message);
-    done = convert_raster(*reader, *writer);
-  }
+  const Status done = from ? convert_vector(text, *from, *writer)
+                           : convert_raster(*raster, *writer);
   if (!done) return fail(done.error().message);
   for (const std::string& note : writer->notes()) std::cerr << note << "\n";
   return 0;
