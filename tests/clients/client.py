@@ -14,7 +14,7 @@ import tempfile
 import zlib
 
 SKIPPED = 77
-CONVERT = os.environ["UNSTEP_CONVERT"]
+PROGRAM = os.environ["UNSTEP_PROGRAM"]
 SAMPLES = os.environ["UNSTEP_SAMPLES"]
 
 # Bilevel samples that are no larger than a test should be.
@@ -41,8 +41,8 @@ def run(*command):
     return done.stdout
 
 
-def convert(source, target):
-    run(CONVERT, source, target)
+def convert(source, target, *options):
+    run(PROGRAM, "convert", "--quiet", "--force", *options, source, target)
     return target
 
 
@@ -51,6 +51,32 @@ class Raster:
 
     def __init__(self, width, height, rows):
         self.width, self.height, self.rows = width, height, rows
+
+    def edge_distances(self):
+        """A function of a pixel: the distance of its centre from the nearest
+        edge between ink and paper, 5 if it is above 4."""
+        reach = 4
+        offsets = sorted(((i, j) for i in range(-reach, reach + 1)
+                          for j in range(-reach, reach + 1)),
+                         key=lambda o: o[0] * o[0] + o[1] * o[1])
+
+        def ink(x, y):
+            inside = 0 <= x < self.width and 0 <= y < self.height
+            return self.rows[y][x] if inside else 0
+
+        def distance(x, y):
+            own = ink(x, y)
+            best = reach + 1.0
+            for i, j in offsets:
+                if math.hypot(max(abs(i) - 0.5, 0),
+                              max(abs(j) - 0.5, 0)) >= best:
+                    continue
+                if ink(x + i, y + j) != own:
+                    best = min(best, math.hypot(max(abs(i) - 0.5, 0),
+                                                max(abs(j) - 0.5, 0)))
+            return best
+
+        return distance
 
     def count_different(self, other):
         """Pixels that differ; `other` may be a pixel larger by rounding."""

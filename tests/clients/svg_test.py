@@ -22,6 +22,26 @@ def contours_are_exact(work):
         assert different == 0, name
 
 
+def tolerances_hold(work):
+    """Pixels that differ are within the tolerance of an edge, half a pixel's
+    diagonal aside."""
+    for name in ("crown.png", "glyph.pbm"):
+        client.convert(client.sample(name), work.path("a.pbm"))
+        ink = client.read_pbm(work.read("a.pbm"))
+        distance = ink.edge_distances()
+        for tolerance in (1, 2):
+            client.convert(client.sample(name), work.path("a.svg"),
+                           "--tolerance", str(tolerance))
+            seen = render(work, "a.svg", ink.width, ink.height)
+            farthest = max([distance(x, y) for y, (row, other) in
+                            enumerate(zip(ink.rows, seen.rows))
+                            for x, (a, b) in enumerate(zip(row, other))
+                            if a != b] or [0])
+            print(f"{name} at {tolerance}: pixels up to {farthest:.2f} from "
+                  "an edge differ")
+            assert farthest <= tolerance + 0.71, name
+
+
 def arcs_are_where_they_belong(work):
     for scale in (1, 10, 16):
         for axis in ("up", "down"):
@@ -58,6 +78,7 @@ client.need("rsvg-convert")
 client.need("xmllint")
 with client.Workplace() as place:
     contours_are_exact(place)
+    tolerances_hold(place)
     arcs_are_where_they_belong(place)
     strokes_are_drawn(place)
     names_are_sound(place)
