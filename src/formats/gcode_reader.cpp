@@ -108,10 +108,11 @@ class Reader {
   GcodeLineReader lines_;
   GcodeBlock block_;
   std::uint32_t line_ = 0;
-  std::size_t begin_ = 0;  ///< of the line in the text
-  bool started_ = false;   ///< a line with anything on it was met
-  bool ended_ = false;     ///< M2, M30 or the second %
-  bool flow_ = false;      ///< control flow: the rest is kept
+  std::size_t begin_ = 0;    ///< of the line in the text
+  bool started_ = false;     ///< a line with anything on it was met
+  bool ended_ = false;       ///< M2, M30 or the second %
+  bool flow_ = false;        ///< control flow: the rest is kept
+  bool names_mode_ = false;  ///< the line has a motion word
   Error error_;
   struct Note {
     std::string reason;
@@ -165,6 +166,7 @@ bool Reader::run_line(std::string_view line) {
     block_.body_end = static_cast<std::uint32_t>(line.size());
     return line.empty() || add_text(flow_ && !ended_);
   }
+  names_mode_ = false;
   const Status read = lines_.read(line, block_);
   if (!read) return fail(read.error().code, read.error().message);
   using BlockDelete = GcodeReadOptions::BlockDelete;
@@ -211,6 +213,8 @@ bool Reader::run_words() {
   if (!apply_settings(codes)) return false;
   if (codes.motion >= 0 && !set_motion_mode(codes.motion)) return false;
   const std::uint32_t moving = kAxisLetters | kArcLetters;
+  names_mode_ = codes.motion >= 0;
+  ended_ = codes.end;
   bool done = false;
   if (codes.once >= 0) {
     bool unknown_effect = false;
@@ -221,7 +225,6 @@ bool Reader::run_words() {
   } else {
     done = add_text();
   }
-  ended_ = codes.end;
   return done && in_range();
 }
 
@@ -590,8 +593,10 @@ bool Reader::run_motion(const LineCodes& codes, bool plain) {
   made.words = axes;
   made.turns = motion.turns;
   made.centre = motion.centre;
+  made.radius = motion.radius;
   made.keep_text = !plain || spiral_turns;
   if (made.keep_text) {
+    made.ends_program = ended_;
     give_text(made);
   } else {
     program_.decimals = std::max(program_.decimals, block_.decimals);
@@ -642,6 +647,7 @@ bool Reader::find_arc(ProgramItem& motion, const ProgramPosition& end) {
                                        options_.arc_tolerance_relative);
   if (!reason.empty()) return fail(ErrorCode::corrupt, "arc: " + reason);
   motion.centre = arc.centre;
+  motion.radius = arc.radius;
   motion.turns = 1;
   if (block_.has('P')) {
     const std::int64_t turns = block_.at('P') / kGcodeNumberScale;
@@ -725,6 +731,8 @@ void Reader::give_text(ProgramItem& made) const {
 bool Reader::add_text(bool unknown_effect) {
   ProgramItem made = item(Kind::text);
   made.unknown_effect = unknown_effect;
+  made.names_mode = names_mode_;
+  made.ends_program = ended_;
   give_text(made);
   return add(made);
 }
@@ -737,6 +745,7 @@ bool Reader::add_comments() {
     comment.keep_text = comment.unknown_effect = false;
     comment.line = line_;
     comment.words = 0;
+    comment.names_mode = comment.ends_program = false;
     comment.text_begin = begin_ + begin;
     comment.text_size = size;
     if (!add(comment)) return false;

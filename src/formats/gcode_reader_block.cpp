@@ -14,7 +14,7 @@ char upper(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
 }
 
-constexpr std::string_view kLengthLetters = "XYZUVWABCEIJKR";
+constexpr std::string_view kLengthLetters = "XYZUVW";
 constexpr std::uint32_t kLengths = [] {
   std::uint32_t bits = 0;
   for (const char letter : kLengthLetters) bits |= letter_bit(letter);

@@ -81,6 +81,9 @@ struct ProgramItem {
   bool keep_text = false;
   /// Text whose effect on position or modes is not known.
   bool unknown_effect = false;
+  /// Text that says the motion mode, even if it is the one in force.
+  bool names_mode = false;
+  bool ends_program = false;  ///< M2, M30 or the closing %
   /// Motion mode after the item; text: no mode is in force.
   std::optional<Kind> mode;
   std::uint16_t known = 0;   ///< axes whose program position is known after it
@@ -91,6 +94,7 @@ struct ProgramItem {
   std::uint32_t others = 0;  ///< index of Program::others, after the item
   std::array<std::int64_t, 3> end{};     ///< program position x, y, z after it
   std::array<std::int64_t, 2> centre{};  ///< arcs: program position, by plane
+  std::int64_t radius = 0;               ///< arcs given by R: as given; else 0
   double feed = 0;      ///< mm (or degrees) per minute after it; 0: not known
   double spindle = -1;  ///< S word in force after it; below 0: not known
   std::uint64_t text_begin = 0;  ///< text or keep_text: in Program::text
@@ -170,5 +174,80 @@ struct GcodeReadOptions {
 /// "line N: ".
 Result<Program> read_gcode(std::string_view text,
                            const GcodeReadOptions& options);
+
+/// Which arcs a control takes. A control compares the radius at the start of
+/// an arc with that at its end, which rounding makes differ.
+struct ArcRules {
+  double radius_mm = 0.001;       ///< they may differ by this,
+  double radius_relative = 8e-4;  ///< or by this share
+  double min_radius_mm = 0.01;
+  double max_radius_mm = 10'000;
+  double max_sweep_degrees = 360;  ///< of one arc; below 360: no full circles
+  bool quadrants = false;          ///< no arc passes an extreme of its circle
+};
+
+struct CompactOptions {
+  /// The Frechet distance between the program's path and the shorter one is
+  /// never more, in x, y and z, with the rounding of the output.
+  double tolerance_mm = 0.005;
+  bool arcs = true;
+  ArcRules rules;
+  /// Decimals of positions, in the program's own unit. Below 0: as many as
+  /// the tolerance needs, never more than the program has.
+  int decimals = -1;
+  /// Extrusion per length may vary by this share where moves are merged.
+  double extrusion_tolerance = 0.02;
+};
+
+/// What compact() did.
+struct CompactReport {
+  std::uint64_t lines_before = 0;  ///< motions that are no rapids
+  std::uint64_t lines_after = 0;   ///< of them arcs:
+  std::uint64_t arcs_after = 0;
+};
+
+/// Merges lines that follow each other into longer lines and into arcs of the
+/// plane in force. Feed, spindle and modes are the same over what is merged,
+/// and nothing stands between. Rapids, arcs, text and motions from or to a
+/// position that is not known stay. Where text depends on the exact position,
+/// it is exact. out_of_range for the options.
+Result<Program> compact(const Program& program, const CompactOptions& options,
+                        CompactReport* report = nullptr);
+
+/// Arcs in pieces that the rules allow; the others stay.
+Result<Program> split_arcs(const Program& program, const ArcRules& rules);
+
+/// Controls, and what they are used for.
+enum class GcodeProfile : std::uint8_t {
+  linuxcnc,  ///< M2 at the end
+  grbl,      ///< the same, lines of at most 80 bytes
+  marlin,    ///< a G word on every line, comments after ";"
+  laser,     ///< grbl; the beam instead of a tool
+  plotter    ///< grbl; a pen instead of a tool
+};
+
+struct GcodeWriteOptions {
+  enum class ArcForm : std::uint8_t {
+    as_read,  ///< R where the program had R, else I, J and K
+    centre,   ///< I, J and K
+    radius    ///< R; arcs of more than 170 degrees in pieces
+  };
+  GcodeProfile profile = GcodeProfile::linuxcnc;
+  ArcForm arcs = ArcForm::as_read;
+  bool blanks = true;          ///< between words
+  std::optional<bool> inches;  ///< motions in this unit; else as the program
+  /// Decimals of positions. Below 0: all that they have; where the unit is
+  /// converted, 4 of a mm and 5 of an inch.
+  int decimals = -1;
+  std::string header;  ///< lines before all others
+  std::string footer;  ///< lines after all others, before the program's end
+};
+
+/// The program as text: motions modal and with as few decimals as they need,
+/// text as it stands. The same program gives the same bytes. Where text is
+/// carried out, position and modes are those that it had in the source.
+/// invalid_argument if a profile cannot say what the program does.
+Result<std::string> write_gcode(const Program& program,
+                                const GcodeWriteOptions& options);
 
 }  // namespace unstep
