@@ -274,7 +274,6 @@ class Compaction {
     item.end = run_ends_[piece.last];
     if (piece.is_arc) {
       item.kind = piece.arc.clockwise ? Kind::clockwise : Kind::counter;
-      item.mode = item.kind;
       item.centre = {run_origin_[axes[0]] + std::llround(piece.arc.x),
                      run_origin_[axes[1]] + std::llround(piece.arc.y)};
     } else if (!moves) {

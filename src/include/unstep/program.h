@@ -84,7 +84,7 @@ struct ProgramItem {
   /// Text that says the motion mode, even if it is the one in force.
   bool names_mode = false;
   bool ends_program = false;  ///< M2, M30 or the closing %
-  /// Motion mode after the item; text: no mode is in force.
+  /// Motion mode after the item, in the source; text: no mode is in force.
   std::optional<Kind> mode;
   std::uint16_t known = 0;   ///< axes whose program position is known after it
   std::uint16_t words = 0;   ///< motions: the axes named on the line
