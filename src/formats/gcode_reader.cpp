@@ -573,18 +573,24 @@ bool Reader::run_motion(const LineCodes& codes, bool plain) {
   std::uint16_t known = state_.known;
   if (!find_end(codes.machine, end, known)) return false;
   motion.words = axes;
+  bool assumed = false;
   if (arc) {
     const auto plane = plane_axes(*modes.plane);
     const auto both =
         static_cast<std::uint16_t>(axis_bit(plane[0]) | axis_bit(plane[1]));
     if ((known & both) != (state_.known & both)) {
-      // Its start is not known in the coordinates of its end.
-      state_.position = end;
-      state_.known = known;
-      return not_understood("an arc from a position that is not known") &&
-             add_text(true);
+      // Its start is not known in the coordinates of its end. Where it can
+      // be an arc, it is taken for the one it seems to be.
+      assumed = true;
+      if (!find_arc(motion, end)) {
+        error_ = {};
+        state_.position = end;
+        state_.known = known;
+        return not_understood("an arc from a position that is not known") &&
+               add_text(true);
+      }
     }
-    if (!find_arc(motion, end)) return false;
+    if (!assumed && !find_arc(motion, end)) return false;
   }
   state_.position = end;
   state_.known = known;
@@ -594,7 +600,7 @@ bool Reader::run_motion(const LineCodes& codes, bool plain) {
   made.turns = motion.turns;
   made.centre = motion.centre;
   made.radius = motion.radius;
-  made.keep_text = !plain || spiral_turns;
+  made.keep_text = !plain || spiral_turns || assumed;
   if (made.keep_text) {
     made.ends_program = ended_;
     give_text(made);

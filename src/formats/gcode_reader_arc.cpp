@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "program/arc_geometry.h"
 #include "unstep/program.h"
 
 namespace unstep {
@@ -18,26 +19,17 @@ std::string in_mm(double length) {
 }
 
 std::string solve_radius(GcodeArc& arc, double tolerance) {
-  const auto dx = static_cast<double>(arc.end[0] - arc.start[0]);
-  const auto dy = static_cast<double>(arc.end[1] - arc.start[1]);
-  const double chord = std::hypot(dx, dy);
+  const double chord = distance(arc.start, arc.end);
   if (chord == 0) return "with R it cannot end where it starts";
   const double radius = std::abs(static_cast<double>(arc.radius));
   if (chord / 2 - radius > tolerance) {
     return "a radius of " + in_mm(radius) + " does not reach an end " +
            in_mm(chord) + " away";
   }
-  // The product keeps the digits that a difference of squares would lose.
-  const double square = (radius - chord / 2) * (radius + chord / 2);
-  const double height = square > 0 ? std::sqrt(square) : 0;
-  const double side = arc.counter == (arc.radius > 0) ? 1 : -1;
-  const double x = dx / 2 - side * height * dy / chord;
-  const double y = dy / 2 + side * height * dx / chord;
-  if (std::max(std::abs(x), std::abs(y)) >
-      static_cast<double>(kMaxProgramLength)) {
-    return "its centre is beyond 100 km";
-  }
-  arc.centre = {arc.start[0] + std::llround(x), arc.start[1] + std::llround(y)};
+  const auto centre =
+      centre_by_radius(arc.start, arc.end, arc.radius, arc.counter);
+  if (!centre) return "its centre is beyond 100 km";
+  arc.centre = *centre;
   return {};
 }
 
@@ -51,12 +43,8 @@ std::string solve_arc(GcodeArc& arc, double tolerance_mm,
     return solve_radius(arc, tolerance);
   }
   if (!arc.has_centre) return "neither a radius nor a centre";
-  const auto distance = [&arc](const std::array<std::int64_t, 2>& point) {
-    return std::hypot(static_cast<double>(point[0] - arc.centre[0]),
-                      static_cast<double>(point[1] - arc.centre[1]));
-  };
-  const double first = distance(arc.start);
-  const double last = distance(arc.end);
+  const double first = distance(arc.start, arc.centre);
+  const double last = distance(arc.end, arc.centre);
   if (first == 0 || last == 0) return "its radius is 0";
   const double apart = std::abs(first - last);
   if (apart > 100 * tolerance ||

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "formats/gcode_writer_number.h"
+#include "program/arc_geometry.h"
 #include "unstep/program.h"
 
 /// Items to lines of G-code. docs/cnc.md, "What is written".
@@ -82,16 +83,16 @@ class Writer {
     const ProgramModes& modes = program_.modes[item.modes];
     feed_ = item.feed;
     spindle_ = item.spindle;
-    if (inches_ != modes.inches) {
-      inches_ = modes.inches;
-      written_ = 0;
-    }
     known_ = item.known;
     at_ = program_.position(item);
+    use_unit(modes.inches);
+  }
+
+  void use_unit(std::optional<bool> inches) {
+    inches_ = inches;
     for (std::size_t axis = 0; axis < kProgramAxes; ++axis) {
       number_[axis] = to_number(axis, at_[axis]);
     }
-    written_ = kAllProgramAxes;
   }
 
   void write_text(const ProgramItem& item, const ProgramItem& before) {
@@ -119,7 +120,7 @@ class Writer {
     begin_line();
     if (modes.inches && inches_ != modes.inches) {
       word(*modes.inches ? "G20" : "G21");
-      inches_ = modes.inches;
+      use_unit(modes.inches);
     }
     const bool moves = item.keep_text || item.unknown_effect;
     if (moves && before.mode && mode_ != before.mode) {
@@ -154,8 +155,7 @@ class Writer {
         options_.inches ? options_.inches : modes.inches;
     if (inches && inches_ != inches) {
       word(*inches ? "G20" : "G21");
-      inches_ = inches;
-      written_ = 0;
+      use_unit(inches);
     }
     if (mode_ != item.kind || options_.profile == GcodeProfile::marlin) {
       word(word_of(item.kind));
@@ -172,45 +172,34 @@ class Writer {
 
   void write_axes(const ProgramItem& item, const ProgramModes& modes) {
     const ProgramPosition end = program_.position(item);
+    const bool stays = !item.is_arc() && end == at_;
     for (std::size_t axis = 0; axis < kProgramAxes; ++axis) {
       const bool incremental = axis == kAxisE
                                    ? modes.incremental_e.value_or(false)
                                    : modes.incremental.value_or(false);
       const std::uint16_t bit = static_cast<std::uint16_t>(1U << axis);
       const std::int64_t number = to_number(axis, end[axis]);
-      const bool is_there = (written_ & bit) != 0 && number_[axis] == number &&
-                            ((known_ ^ item.known) & bit) == 0;
+      const bool is_there =
+          number_[axis] == number && ((known_ ^ item.known) & bit) == 0;
       // A rapid or a line that goes nowhere keeps its words.
-      const bool named = (item.words & bit) != 0 && item.end == start_of(item);
+      const bool named = (item.words & bit) != 0 && stays;
       if (is_there && !named) continue;
-      std::int64_t shown = number;
-      if (incremental) {
-        const std::int64_t from =
-            (written_ & bit) != 0 ? number_[axis] : to_number(axis, at_[axis]);
-        shown = number - from;
-      }
       word(kProgramAxisLetters.substr(axis, 1));
-      append_number(out_, shown);
+      append_number(out_, incremental ? number - number_[axis] : number);
       number_[axis] = number;
       at_[axis] = end[axis];
-      written_ = static_cast<std::uint16_t>(written_ | bit);
     }
-  }
-
-  [[nodiscard]] std::array<std::int64_t, 3> start_of(
-      const ProgramItem& item) const {
-    return item.is_arc() ? std::array<std::int64_t, 3>{~item.end[0], 0, 0}
-                         : std::array<std::int64_t, 3>{at_[0], at_[1], at_[2]};
   }
 
   void write_arc(const ProgramItem& item, const ProgramModes& modes,
                  const ProgramPosition& start) {
     const auto plane = plane_axes(modes.plane.value_or(ProgramPlane::xy));
-    const bool radius = options_.arcs == ArcForm::radius ||
-                        (options_.arcs == ArcForm::as_read && item.radius != 0);
+    const bool radius =
+        options_.arcs == ArcForm::radius ||
+        (options_.arcs == ArcForm::as_read && item.radius != 0 && !rounds());
     if (radius) {
       word("R");
-      append_number(out_, to_number(0, item.radius));
+      append_number(out_, exact_number(radius_of(item, start, plane)));
       return;
     }
     constexpr std::string_view kLetters = "IJK";
@@ -218,25 +207,44 @@ class Writer {
       const bool absolute = modes.absolute_centres.value_or(false);
       const std::int64_t length =
           absolute ? item.centre[i] : item.centre[i] - start[plane[i]];
-      const std::int64_t number = to_number(0, length);
+      const std::int64_t number = exact_number(length);
       if (number == 0 && !absolute) continue;
       word(kLetters.substr(plane[i], 1));
       append_number(out_, number);
     }
   }
 
-  /// Program units to the unit in force, 1e-7 of it.
+  /// R would make much of the rounding of its ends.
+  [[nodiscard]] bool rounds() const {
+    return options_.decimals >= 0 || options_.inches.has_value();
+  }
+
+  /// As given, or of the circle in the middle between start and end.
+  [[nodiscard]] static std::int64_t radius_of(
+      const ProgramItem& item, const ProgramPosition& start,
+      const std::array<std::size_t, 3>& plane) {
+    if (item.radius != 0) return item.radius;
+    const PlanePoint from{start[plane[0]], start[plane[1]]};
+    const PlanePoint to{item.end[plane[0]], item.end[plane[1]]};
+    return std::llround(
+        (distance(from, item.centre) + distance(to, item.centre)) / 2);
+  }
+
+  /// Program units to the unit in force, 1e-7 of it, with all decimals.
+  [[nodiscard]] std::int64_t exact_number(std::int64_t length) const {
+    if (inches_ != true) return length;
+    // |length| is at most twice 1e15, so ten of it fit.
+    const std::int64_t ten = length * 10;
+    return (ten + (ten < 0 ? -127 : 127)) / 254;
+  }
+
+  /// The same for a position: rounded if the options say so.
   [[nodiscard]] std::int64_t to_number(std::size_t axis,
                                        std::int64_t length) const {
     const bool angle = (kAngles >> axis & 1) != 0;
     if (angle) return length;
     const bool inches = inches_ == true;
-    std::int64_t number = length;
-    if (inches) {
-      // |length| is at most twice 1e15, so ten of it fit.
-      const std::int64_t ten = length * 10;
-      number = (ten + (ten < 0 ? -127 : 127)) / 254;
-    }
+    const std::int64_t number = exact_number(length);
     int decimals = options_.decimals;
     if (decimals < 0 && options_.inches) decimals = inches ? 5 : 4;
     return decimals < 0 ? number : round_number(number, decimals);
@@ -262,15 +270,19 @@ class Writer {
   double spindle_ = -1;
   std::uint16_t known_ = 0;
   ProgramPosition at_{};
-  std::uint16_t written_ = 0;  ///< axes whose `number_` is what was written
-  std::array<std::int64_t, kProgramAxes> number_{};
+  std::array<std::int64_t, kProgramAxes> number_{};  ///< of at_, as written
 };
 
 }  // namespace
 
 Result<std::string> write_gcode(const Program& program,
                                 const GcodeWriteOptions& options) {
-  return Writer(program, options).write();
+  if (options.arcs != ArcForm::radius) return Writer(program, options).write();
+  ArcRules rules;
+  rules.max_sweep_degrees = 170;
+  const Result<Program> split = split_arcs(program, rules);
+  if (!split) return split.error();
+  return Writer(*split, options).write();
 }
 
 }  // namespace unstep

@@ -150,8 +150,7 @@ inline void sample_arc(Path3& path, const ProgramMove& move, double fine) {
     Point3 point{};
     point[axes[0]] = cx + r * std::cos(angle);
     point[axes[1]] = cy + r * std::sin(angle);
-    point[axes[2]] =
-        start[axes[2]] + (end[axes[2]] - start[axes[2]]) * t;
+    point[axes[2]] = start[axes[2]] + (end[axes[2]] - start[axes[2]]) * t;
     path.push_back(i == count ? end : point);
   }
 }
@@ -176,8 +175,7 @@ inline std::vector<Section> sections(const Program& program, double fine) {
     } else if (item.is_arc()) {
       ProgramMove move;
       move.kind = item.kind;
-      move.plane =
-          program.modes[item.modes].plane.value_or(ProgramPlane::xy);
+      move.plane = program.modes[item.modes].plane.value_or(ProgramPlane::xy);
       move.turns = item.turns;
       move.start = at;
       move.end = end;
