@@ -49,24 +49,29 @@ class Writer {
   }
 
   Result<std::string> write() {
-    add_lines(options_.header);
     const ProgramItem* before = &program_.start;
-    bool ended = false;
+    // The mark of the begin stays the first line.
+    has_mark_ = !program_.items.empty() &&
+                program_.text_of(program_.items[0]).starts_with('%');
+    if (!has_mark_) add_lines(options_.header);
     for (const ProgramItem& item : program_.items) {
-      if (item.ends_program && !ended) {
-        ended = true;
-        add_lines(options_.footer);
-      }
-      if (item.is_motion() && !item.keep_text) {
+      const bool ends = item.ends_program && !ended_;
+      if (ends) add_lines(options_.footer);
+      if (ends && !has_mark_ && program_.text_of(item) == "%") {
+        // LinuxCNC refuses a mark at the end alone.
+        add_end();
+      } else if (item.is_motion() && !item.keep_text) {
         write_motion(item);
       } else {
         write_text(item, *before);
       }
+      if (has_mark_ && before == &program_.start) add_lines(options_.header);
+      ended_ = ended_ || ends;
       before = &item;
     }
-    if (!ended) {
+    if (!ended_) {
       add_lines(options_.footer);
-      if (options_.profile != GcodeProfile::marlin) add_lines("M2");
+      add_end();
     }
     return std::move(out_);
   }
@@ -76,6 +81,10 @@ class Writer {
     if (lines.empty()) return;
     out_ += lines;
     if (out_.back() != '\n') out_ += '\n';
+  }
+
+  void add_end() {
+    if (options_.profile != GcodeProfile::marlin) add_lines("M2");
   }
 
   /// What the item says is in force.
@@ -172,7 +181,7 @@ class Writer {
 
   void write_axes(const ProgramItem& item, const ProgramModes& modes) {
     const ProgramPosition end = program_.position(item);
-    const bool stays = !item.is_arc() && end == at_;
+    bool wrote = false;
     for (std::size_t axis = 0; axis < kProgramAxes; ++axis) {
       const bool incremental = axis == kAxisE
                                    ? modes.incremental_e.value_or(false)
@@ -181,14 +190,25 @@ class Writer {
       const std::int64_t number = to_number(axis, end[axis]);
       const bool is_there =
           number_[axis] == number && ((known_ ^ item.known) & bit) == 0;
-      // A rapid or a line that goes nowhere keeps its words.
-      const bool named = (item.words & bit) != 0 && stays;
-      if (is_there && !named) continue;
+      if (is_there) continue;
       word(kProgramAxisLetters.substr(axis, 1));
       append_number(out_, incremental ? number - number_[axis] : number);
       number_[axis] = number;
-      at_[axis] = end[axis];
+      wrote = true;
     }
+    at_ = end;
+    if (!wrote && !item.is_arc()) write_rest(item, modes);
+  }
+
+  /// A motion that goes nowhere needs a word all the same.
+  void write_rest(const ProgramItem& item, const ProgramModes& modes) {
+    std::size_t axis = 0;
+    while (axis + 1 < kProgramAxes && (item.words >> axis & 1) == 0) ++axis;
+    const bool incremental = axis == kAxisE
+                                 ? modes.incremental_e.value_or(false)
+                                 : modes.incremental.value_or(false);
+    word(kProgramAxisLetters.substr(axis, 1));
+    append_number(out_, incremental ? 0 : number_[axis]);
   }
 
   void write_arc(const ProgramItem& item, const ProgramModes& modes,
@@ -264,6 +284,8 @@ class Writer {
   std::string out_;
   std::size_t line_begin_ = 0;
   // What is in force where the text ends.
+  bool has_mark_ = false;  ///< "%" at the begin
+  bool ended_ = false;
   std::optional<bool> inches_;
   std::optional<Kind> mode_;
   double feed_ = 0;

@@ -205,10 +205,10 @@ class Compaction {
     ProgramItem item = in_.items[index];
     if (item.is_motion() && !item.keep_text) {
       item.end = rounded(index, written_);
-      written_ = item.end;
-    } else {
-      written_ = item.end;
+    } else if (!item.is_motion() && item.end == before(index).end) {
+      item.end = written_;
     }
+    written_ = item.end;
     out_.items.push_back(item);
   }
 
