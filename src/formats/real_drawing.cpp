@@ -109,6 +109,10 @@ void RealDrawing::arc_to(RealPoint centre, RealPoint end, bool ascending) {
 void RealDrawing::ellipse_to(RealPoint centre, RealPoint to_x, RealPoint to_y,
                              double begin, double sweep, RealPoint end) {
   constexpr double kPart = std::numbers::pi / 8;  // error 7e-8 of the radius
+  // Written so that what is no number fails.
+  if (!(std::fabs(sweep) <= 2 * std::numbers::pi + kPart)) {
+    return fail({ErrorCode::out_of_range, "an ellipse of impossible size"});
+  }
   const int count =
       std::max(1, static_cast<int>(std::ceil(std::fabs(sweep) / kPart)));
   const double turn = sweep / count;
