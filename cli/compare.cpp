@@ -7,16 +7,12 @@
 #include <cmath>
 #include <span>
 
+#include "cli/content.h"
 #include "cli/message.h"
 #include "cli/reshape.h"
 
 namespace unstep::cli {
 namespace {
-
-std::string_view kind_name(PageKind kind) {
-  if (kind == PageKind::ink) return "ink";
-  return kind == PageKind::chains ? "chains" : "lines";
-}
 
 std::optional<std::string> first_pixel(const Bitmap& a, const Bitmap& b) {
   std::uint64_t differing = 0;

@@ -37,12 +37,6 @@ Result<Rational> fraction_below(double value) {
   return Rational{numerator / common, kParts / common};
 }
 
-std::uint64_t count_steps(const Drawing& drawing) {
-  std::uint64_t steps = 0;
-  for (const Chain& chain : drawing.chains) steps += chain.steps.size();
-  return steps;
-}
-
 Result<Page> by_tolerance(Page page, const Rational& tolerance, bool arcs,
                           Effort effort) {
   Result<Drawing> chains = chains_of(page);
@@ -55,7 +49,7 @@ Result<Page> by_tolerance(Page page, const Rational& tolerance, bool arcs,
                  "the lines break the bound: " + within.error().message};
   }
   page.kind = PageKind::paths;
-  page.fidelity = {Fidelity::Kind::tolerance, tolerance, count_steps(*chains)};
+  page.fidelity = {Fidelity::Kind::tolerance, tolerance};
   page.drawing = *std::move(paths);
   page.ink = Bitmap();
   return page;
@@ -99,7 +93,7 @@ Result<Page> by_device(Page page) {
                              found->path + 1, found->step)};
   }
   page.kind = PageKind::paths;
-  page.fidelity = {Fidelity::Kind::device, {1, 1}, count_steps(*chains)};
+  page.fidelity = {Fidelity::Kind::device, {1, 1}};
   page.drawing = std::move(paths);
   page.ink = Bitmap();
   return page;

@@ -11,6 +11,7 @@
 #include "formats/affine.h"
 #include "formats/format_reader.h"
 #include "formats/grid_fit.h"
+#include "formats/hpgl_encoded.h"
 #include "formats/hpgl_scanner.h"
 #include "formats/real_resolution.h"
 
@@ -48,6 +49,7 @@ class HpglReader {
   Status circle();
   Status rectangle(bool relative, bool filled);
   Status polygon();
+  Status encoded_lines();
   Status finish_page();
   Status count(const Values& values, std::size_t least) const;
   void reset();
@@ -147,11 +149,11 @@ void HpglReader::pen_up() {
     begin_path();
     drawing_.line_to(to_page_(at_));
   }
-  if (in_path_) {
-    const std::vector<RealPath>& paths = drawing_.paths();
-    if (!paths.empty() && drawing_.at() == paths.back().origin &&
-        (paths.back().pieces.size() > 1 ||
-         paths.back().pieces.front().kind == RealPiece::Kind::circle)) {
+  if (in_path_ && drawing_.status()) {
+    const RealPath& path = drawing_.paths().back();
+    const bool is_circle = path.pieces.size() == 1 &&
+                           path.pieces.front().kind == RealPiece::Kind::circle;
+    if (drawing_.at() == path.origin && (path.pieces.size() > 1 || is_circle)) {
       drawing_.close();
     }
     drawing_.end_path();
@@ -258,6 +260,25 @@ Status HpglReader::rectangle(bool relative, bool filled) {
   return {};
 }
 
+/// Moves are relative and draw unless they say otherwise.
+Status HpglReader::encoded_lines() {
+  HpglEncodedLines lines(scanner_.encoded());
+  while (const std::optional<HpglEncodedLines::Move> move = lines.next()) {
+    const RealPoint value{move->x, move->y};
+    const RealPoint to = move->absolute ? value : at_ + value;
+    if (move->up) {
+      pen_up();
+      at_ = to;
+    } else {
+      down_ = true;
+      go_to(to);
+    }
+    if (!drawing_.status()) break;
+  }
+  if (lines.faulty()) return at("a fault in encoded lines", ErrorCode::corrupt);
+  return {};
+}
+
 /// The polygons that PM defines are drawn as they come.
 Status HpglReader::polygon() {
   notes_.insert("polygons are outlines");
@@ -315,6 +336,7 @@ Status HpglReader::run(std::string_view name) {
   if (name == "ER" || name == "RR") return rectangle(true, name == "RR");
   if (name == "IP" || name == "SC") return set_up(name);
   if (name == "PM") return polygon();
+  if (name == "PE") return encoded_lines();
   if (name == "IN" || name == "DF") {
     reset();
   } else if (name == "SP") {

@@ -97,7 +97,9 @@ Result<std::string_view> HpglScanner::next(std::vector<double>& values) {
   } else if (name_ == "DT") {
     if (at_ < text_.size() && text_[at_] != ';') label_end_ = text_[at_++];
   } else if (name_ == "PE" || name_ == "CO" || name_ == "SM") {
+    const std::size_t begin = at_;
     at_ = std::min(text_.find(';', at_), text_.size());
+    encoded_ = text_.substr(begin, at_ - begin);
   } else if (Status read = read_values(values); !read) {
     return read.error();
   }

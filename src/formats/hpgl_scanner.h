@@ -14,12 +14,15 @@ class HpglScanner {
   explicit HpglScanner(std::string_view text) : text_(text) {}
 
   /// The next name in capitals, "" at the end; its numbers in `values`. Labels
-  /// (LB), device control (escape sequences) and encoded lines (PE) are passed
-  /// over. corrupt, naming the byte, for what is no instruction.
+  /// (LB) and device control (escape sequences) are passed
+  /// over; the text of PE is in encoded(). corrupt, naming the byte, for what
+  /// is no instruction.
   Result<std::string_view> next(std::vector<double>& values);
 
   /// Where the name of the last instruction is.
   [[nodiscard]] std::size_t instruction_offset() const { return begin_; }
+  /// What follows a PE, without its semicolon.
+  [[nodiscard]] std::string_view encoded() const { return encoded_; }
   [[nodiscard]] bool any() const { return any_; }
 
  private:
@@ -32,6 +35,7 @@ class HpglScanner {
   bool any_ = false;
   char label_end_ = '\x03';
   std::string name_;
+  std::string_view encoded_;
 };
 
 }  // namespace unstep

@@ -1,8 +1,5 @@
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -11,8 +8,8 @@
 
 #include "formats/format_reader.h"
 #include "formats/grid_fit.h"
-#include "formats/real_resolution.h"
 #include "formats/svg_shapes.h"
+#include "formats/svg_size.h"
 #include "formats/svg_style.h"
 #include "formats/svg_transform.h"
 #include "formats/text.h"
@@ -48,26 +45,6 @@ bool is_one_of(std::string_view name,
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A viewBox; nothing if it is none.
-struct ViewBox {
-  double x = 0;
-  double y = 0;
-  double width = 0;
-  double height = 0;
-};
-std::optional<ViewBox> view_box_of(const pugi::xml_node& node) {
-  TextScanner scanner(node.attribute("viewBox").value());
-  std::array<double, 4> values{};
-  for (double& value : values) {
-    scanner.skip_separator();
-    const std::optional<double> number = scanner.number();
-    if (!number) return std::nullopt;
-    value = *number;
-  }
-  if (values[2] <= 0 || values[3] <= 0) return std::nullopt;
-  return ViewBox{values[0], values[1], values[2], values[3]};
-}
-
 class SvgReader {
  public:
   explicit SvgReader(const VectorReadOptions& options)
@@ -78,8 +55,6 @@ class SvgReader {
  private:
   Status parse(std::string_view bytes);
   void collect(const pugi::xml_node& root);
-  void read_size(const pugi::xml_node& root);
-  void read_resolution(const pugi::xml_node& root, const ViewBox& box);
   void read_metadata(const pugi::xml_node& node);
   Status walk(const pugi::xml_node& node, const Affine& outer, SvgStyle style,
               int depth);
@@ -98,8 +73,6 @@ class SvgReader {
   const VectorReadOptions& options_;
   RealDrawing drawing_;
   VectorPage page_;
-  Canvas canvas_;
-  Affine base_;
   SvgViewport viewport_;
   pugi::xml_document document_;
   std::string_view prefix_;  ///< of the elements of SVG
@@ -173,107 +146,6 @@ void SvgReader::collect(const pugi::xml_node& root) {
   }
 }
 
-int decimals_of(std::string_view text) {
-  const std::size_t point = text.find('.');
-  if (point == std::string_view::npos) return 0;
-  int decimals = 0;
-  for (std::size_t i = point + 1;
-       i < text.size() && TextScanner::is_digit(text[i]); ++i) {
-    ++decimals;
-  }
-  return decimals;
-}
-
-/// The unit of a length and the grid units per unit, if it has a physical one.
-struct Physical {
-  Resolution::Unit unit = Resolution::Unit::none;
-  std::uint32_t per = 1;  ///< of these in the unit
-  double length = 0;
-};
-Physical physical(std::string_view text) {
-  TextScanner scanner(text);
-  scanner.skip_blanks();
-  const std::optional<double> length = scanner.number();
-  if (!length || *length <= 0) return {};
-  const std::string_view unit = scanner.rest();
-  if (unit == "in") return {Resolution::Unit::inch, 1, *length};
-  if (unit == "pt") return {Resolution::Unit::inch, 72, *length};
-  if (unit == "pc") return {Resolution::Unit::inch, 6, *length};
-  if (unit == "cm") return {Resolution::Unit::centimetre, 1, *length};
-  if (unit == "mm") return {Resolution::Unit::metre, 1000, *length};
-  return {};
-}
-
-void SvgReader::read_resolution(const pugi::xml_node& root,
-                                const ViewBox& box) {
-  const std::string_view width = root.attribute("width").value();
-  const std::string_view height = root.attribute("height").value();
-  const Physical x = physical(width);
-  const Physical y = physical(height);
-  if (x.unit == Resolution::Unit::none || y.unit != x.unit || x.per != y.per) {
-    return;
-  }
-  const std::string_view ratio = root.attribute("preserveAspectRatio").value();
-  const bool stretched = ratio == "none";
-  Resolution resolution;
-  resolution.unit = x.unit;
-  resolution.x = density(box.width, x.length, decimals_of(width));
-  resolution.y = density(box.height, y.length, decimals_of(height));
-  if (!stretched) {
-    // One factor for both: the side that fits.
-    const double along_x = box.width / x.length;
-    const double along_y = box.height / y.length;
-    if (std::fabs(along_x / along_y - 1) < 1e-4) {
-      const bool simpler = resolution.y.denominator < resolution.x.denominator;
-      resolution.x = resolution.y = simpler ? resolution.y : resolution.x;
-    } else if (along_x > along_y) {
-      resolution.y = resolution.x;
-    } else {
-      resolution.x = resolution.y;
-    }
-  }
-  for (Rational* side : {&resolution.x, &resolution.y}) {
-    const std::uint64_t numerator = std::uint64_t{side->numerator} * x.per;
-    if (side->numerator == 0 || numerator > UINT32_MAX) return;
-    const auto whole = static_cast<std::uint32_t>(numerator);
-    const std::uint32_t common = std::gcd(whole, side->denominator);
-    *side = {whole / common, side->denominator / common};
-  }
-  page_.info.resolution = resolution;
-}
-
-/// The canvas in user units, the resolution from the physical size.
-void SvgReader::read_size(const pugi::xml_node& root) {
-  const std::string_view width = root.attribute("width").value();
-  const std::string_view height = root.attribute("height").value();
-  std::optional<ViewBox> box = view_box_of(root);
-  if (!box) {
-    const auto w = svg_length(width, 0);
-    const auto h = svg_length(height, 0);
-    if (!w || !h || *w <= 0 || *h <= 0) return;
-    box = ViewBox{0, 0, *w, *h};
-    if (physical(width).unit != Resolution::Unit::none) {
-      page_.info.resolution = {{96, 1}, {96, 1}, Resolution::Unit::inch};
-    }
-  } else {
-    base_ = {1, 0, 0, 1, -box->x, -box->y};
-    read_resolution(root, *box);
-  }
-  viewport_ = {box->width, box->height};
-  if (!(box->width < kMaxCoord && box->height < kMaxCoord)) return;
-  const auto up = [](double side) {
-    return static_cast<std::int32_t>(std::ceil(side - 1e-6));
-  };
-  canvas_ = {std::max(up(box->width), 1), std::max(up(box->height), 1),
-             YAxis::down};
-  if (canvas_.width - box->width > 1e-6 ||
-      canvas_.height - box->height > 1e-6) {
-    page_.notes.push_back("the canvas is rounded up to " +
-                          std::to_string(canvas_.width) + " x " +
-                          std::to_string(canvas_.height));
-  }
-}
-
 /// What svg_writer.cpp writes; other metadata is only named.
 void SvgReader::read_metadata(const pugi::xml_node& node) {
   for (const pugi::xml_node& entry : node.children()) {
@@ -309,7 +181,7 @@ Affine SvgReader::viewport_of(const pugi::xml_node& node,
                 1,
                 length(node, "x", viewport_.width, 0),
                 length(node, "y", viewport_.height, 0)};
-  const std::optional<ViewBox> box = view_box_of(node);
+  const std::optional<SvgViewBox> box = svg_view_box(node);
   clipped_ = true;
   if (!box) return result;
   const pugi::xml_node& from = size.attribute("width") ? size : node;
@@ -486,7 +358,10 @@ Result<VectorPage> SvgReader::read(std::string_view bytes) {
   if (Status parsed = parse(bytes); !parsed) return parsed.error();
   const pugi::xml_node root = document_.document_element();
   collect(root);
-  read_size(root);
+  SvgSize size = read_svg_size(root);
+  viewport_ = size.viewport;
+  page_.info.resolution = size.resolution;
+  page_.notes = std::move(size.notes);
   for (const pugi::xml_node& child : root.children()) {
     if (local_name(child) == "title" && page_.info.name.empty()) {
       page_.info.name = to_utf8(child.child_value());
@@ -494,11 +369,11 @@ Result<VectorPage> SvgReader::read(std::string_view bytes) {
   }
   SvgStyle style;
   styles_.apply(root, "svg", style);
-  if (Status walked = walk_children(root, base_, style, 0); !walked) {
+  if (Status walked = walk_children(root, size.to_canvas, style, 0); !walked) {
     return walked.error();
   }
   const Paint paint = choose_paint();
-  Result<Drawing> drawing = fit_to_grid(drawing_, canvas_, paint,
+  Result<Drawing> drawing = fit_to_grid(drawing_, size.canvas, paint,
                                         options_.curve_tolerance, page_.notes);
   if (!drawing) return drawing.error();
   add_notes();

@@ -155,10 +155,11 @@ LineVertices fit_free_lines(const ChainWalk& chain, PathTolerance tolerance,
   if (chain.size() <= kSpeckSteps || fit.size() <= 5) return fit;
   LineVertices once = beam.run(fit.front(), fit.front().at, fit.back());
   if (once.empty()) return fit;
-  const std::size_t middle = once.size() / 2;
-  const LineVertex start = once[middle];
+  // The start stays on the chain: there a checker can begin without a search.
+  const std::size_t middle = once[once.size() / 2].index;
   const Point anchor =
-      chain.points(once.front().index, start.index, once.front().at).back();
+      chain.points(once.front().index, middle, once.front().at).back();
+  const LineVertex start{middle, anchor};
   const LineVertex target{start.index + chain.size(), start.at};
   LineVertices again = beam.run(start, anchor, target);
   LineVertices& best =

@@ -16,7 +16,8 @@ namespace unstep::reverse {
 /// the chain (a point of the disc; at most about 4 * width^2 of them), the
 /// farthest point of the chain beside which k lines can end at that place.
 /// Ends of open chains are fixed; a ring is laid from a vertex of the one-pass
-/// fit, and once more from a free one half-way round.
+/// fit, and once more from a point of the chain half-way round; the better
+/// counts.
 ///
 /// Time O(places^2 * steps), memory O(places + lines).
 LineVertices fit_free_lines(const ChainWalk& chain, PathTolerance tolerance,

@@ -118,10 +118,9 @@ class Lines(harness.CliTest):
         page = self.info("disc.ustp")["pages"][0]
         self.assertEqual((page["kind"], page["fidelity"], page["tolerance"]),
                          ("paths", "tolerance", [3, 4]))
-        block = page["blocks"][0]
-        self.assertEqual(block["paths"], 1)
-        self.assertGreater(block["arcs"] + block["lines"], 0)
-        self.assertGreater(block["steps"], 250)
+        self.assertEqual(page["paths"], 1)
+        self.assertGreater(page["arcs"] + page["lines"], 0)
+        self.assertGreater(page["steps"], 250)
         text = self.run_cli("info", "disc.ustp").out
         self.assertIn("page 1: paths, 87 x 87 px, filled, within 0.75 px", text)
         self.assertIn("bits per step", text)

@@ -134,7 +134,7 @@ class Reverse(unittest.TestCase):
         self.assertEqual(self.output(b"0100 1001000 2", "--method", "exact"),
                          "0 1 11 3 10 6\n2 2 1 0 1 0\n")
         self.assertEqual(self.output(b"0202 2", "--method", "exact",
-                                     "--connectivity", "4"), "0 2 5 1 2 0\n")
+                                     "--connectivity", "4"), "0 2 5 3 5 0\n")
         self.assertEqual(self.output(bytes([0, 2]), "--method", "exact",
                                      "--input", "bytes"),
                          "0 0 1 0 1 0\n2 2 1 0 1 0\n")

@@ -90,6 +90,39 @@ TEST(HpglReader, ReadsCirclesArcsAndRectangles) {
                  {line(2, 0), line(0, 3), line(-2, 0), line(0, -3)}}}));
 }
 
+/// A number of PE: digits of `base`, the last one from `last` on.
+std::string encoded(int value, int base, int last) {
+  unsigned left = value < 0 ? static_cast<unsigned>(-value) * 2 + 1
+                            : static_cast<unsigned>(value) * 2;
+  std::string text;
+  for (; left >= static_cast<unsigned>(base);
+       left /= static_cast<unsigned>(base)) {
+    text += static_cast<char>(63 + left % static_cast<unsigned>(base));
+  }
+  text += static_cast<char>(last + static_cast<int>(left));
+  return text;
+}
+
+TEST(HpglReader, ReadsEncodedLines) {
+  const std::vector<Path> expected{
+      {{100, 200}, false, 0, {line(3, -400), line(-5, 0)}},
+      {{-10, 5}, false, 0, {line(1, 1)}}};
+  for (const bool seven : {false, true}) {
+    const auto pair = [seven](int x, int y) {
+      return encoded(x, seven ? 32 : 64, seven ? 95 : 191) +
+             encoded(y, seven ? 32 : 64, seven ? 95 : 191);
+    };
+    const std::string text = std::string("IN;PE") + (seven ? "7" : "") +
+                             "<=" + pair(100, 200) + pair(3, -400) +
+                             pair(-5, 0) + "<=" + pair(-10, 5) + "\n" +
+                             pair(1, 1) + ";PU;";
+    EXPECT_EQ(paths(text), expected) << seven;
+  }
+  const auto fault = read_vector("IN;PE=\x01\x7f;", VectorFormat::hpgl, {});
+  ASSERT_FALSE(fault);
+  EXPECT_EQ(fault.error().message, "byte 3: a fault in encoded lines");
+}
+
 TEST(HpglReader, KeepsUserUnitsAndTheirSize) {
   const VectorPage page = read(
       VectorFormat::hpgl, "IN;IP0,0,4000,4000;SC0,100,0,100;PU1,2;PD3.5,4;PU;");

@@ -87,7 +87,6 @@ struct Fidelity {
   };
   Kind kind = Kind::exact;
   Rational tolerance{0, 1};  ///< grid units, when kind == tolerance
-  std::uint64_t steps = 0;   ///< of the chains; 0: unknown
   friend bool operator==(const Fidelity&, const Fidelity&) = default;
 };
 
@@ -115,10 +114,9 @@ struct PageEntry {
     std::int32_t first_row = 0;  ///< ink: the band's rows
     std::int32_t rows = 0;
     std::uint64_t chains = 0;    ///< chains: how many
-    std::uint64_t steps = 0;     ///< chains; paths: of what they stand for
+    std::uint64_t steps = 0;     ///< chains
     std::uint64_t paths = 0;     ///< paths: how many
     std::uint64_t elements = 0;  ///< paths: segments and arcs
-    std::uint64_t arcs = 0;      ///< paths: how many of these are arcs
     Box box;                     ///< what it draws lies inside
     std::uint8_t coder = 0;      ///< coder id, format.md
     std::uint8_t revision = 0;   ///< model revision

@@ -185,9 +185,9 @@ struct ToleranceOptions {
   /// Euclidean Frechet distance between the chain and the path, in grid
   /// units, before rasterising: never more than this. From 1/256 to 2^20.
   Rational tolerance{1, 1};
-  /// standard: one pass, vertices on points of the chain (of the sub-grid
-  /// below 1). max: as few segments as there can be, and free vertices where
-  /// they save some.
+  /// standard: one pass, vertices on points of the chain; below 1 free ones on
+  /// the sub-grid. max: as few segments as there can be, and free vertices
+  /// where they save some. fast is the same as standard.
   Effort effort = Effort::standard;
   bool arcs = true;  ///< arcs where one replaces several lines
 };
@@ -203,7 +203,9 @@ struct ToleranceReport {
 
 /// The chains of `drawing` as paths within the tolerance, in their order; the
 /// result has the canvas of `drawing` and no chains. Ends of open chains are
-/// kept, closed chains stay closed and may start elsewhere.
+/// kept, closed chains stay closed and may start elsewhere. No line has length
+/// 0 or spans more than 2^24 path units. Closed chains of up to 8 steps keep
+/// their corners; a larger one that encloses ink keeps an inside.
 /// At a tolerance of at most 1, contours that were simple do not cross
 /// themselves or each other.
 /// invalid_argument for chains that are not valid or a drawing with paths,

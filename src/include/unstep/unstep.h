@@ -8,6 +8,7 @@
 #include "unstep/formats.h"
 #include "unstep/grid.h"
 #include "unstep/interpolate.h"
+#include "unstep/program.h"
 #include "unstep/result.h"
 #include "unstep/reverse.h"
 #include "unstep/trace.h"

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "program/polyline.h"
+#include "unstep/program.h"
+
+namespace unstep {
+
+/// An arc of the x-y plane of a run, its centre relative to the same vertex
+/// as the run's points.
+struct FittedArc {
+  double x = 0;
+  double y = 0;
+  bool clockwise = false;
+};
+
+struct ArcFitOptions {
+  double tolerance = 0;  ///< program units
+  double grid = 1;       ///< the centre is a multiple of it from the start
+  ArcRules rules;
+};
+
+/// An arc between the written vertices that is within the Frechet distance of
+/// the polyline, whatever radius between its first and its last a control
+/// takes; nothing if none was found. REQUIRES: first + 1 < last < size(), all
+/// z alike.
+[[nodiscard]] std::optional<FittedArc> fit_arc(const Polyline& run,
+                                               std::size_t first,
+                                               std::size_t last,
+                                               const ArcFitOptions& options);
+
+/// The check alone.
+[[nodiscard]] bool arc_fits(const Polyline& run, std::size_t first,
+                            std::size_t last, const FittedArc& arc,
+                            const ArcFitOptions& options);
+
+/// True if controls accept these radii at the start and the end of an arc.
+[[nodiscard]] bool radii_agree(double first, double last,
+                               const ArcRules& rules);
+
+}  // namespace unstep

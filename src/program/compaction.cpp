@@ -1,0 +1,315 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "program/run_cover.h"
+#include "unstep/program.h"
+
+/// Runs of lines that nothing separates become fewer lines and arcs.
+/// docs/algorithms.md, "Compaction of programs".
+namespace unstep {
+namespace {
+
+using Kind = ProgramItem::Kind;
+
+constexpr double kPerMm = static_cast<double>(kProgramUnitsPerMm);
+constexpr std::size_t kAxisE = 9;
+
+/// The tolerance is used but for this, in program units: more than rounding
+/// in doubles can make of it, 0.4 nm.
+constexpr double kMargin = 4;
+
+/// Rounds to a multiple of the grid, halves away from 0.
+std::int64_t on_grid(std::int64_t value, std::int64_t grid) {
+  const std::int64_t half = grid / 2;
+  return value < 0 ? -((-value + half) / grid * grid)
+                   : (value + half) / grid * grid;
+}
+
+/// Program units of the last decimal; 1 where the unit has no such decimal.
+std::int64_t grid_of(int decimals, bool inches) {
+  std::int64_t grid = inches ? 254 : 10;
+  for (int i = decimals; i < 6; ++i) grid *= 10;
+  if (decimals > 6) grid = 1;
+  return grid;
+}
+
+class Compaction {
+ public:
+  Compaction(const Program& in, const CompactOptions& options)
+      : in_(in),
+        options_(options),
+        tolerance_(options.tolerance_mm * kPerMm - kMargin) {
+    out_.text = in.text;
+    out_.modes = in.modes;
+    out_.others = in.others;
+    out_.start = in.start;
+    out_.notes = in.notes;
+    out_.decimals = in.decimals;
+    out_.items.reserve(in.items.size() / 4 + 16);
+    written_ = {in.start.end[0], in.start.end[1], in.start.end[2]};
+  }
+
+  Result<Program> make(CompactReport& report) {
+    for (std::size_t i = 0; i < in_.items.size();) {
+      const std::size_t end = run_end(i);
+      if (end > i) {
+        write_run(i, end);
+        i = end;
+      } else {
+        write_single(i);
+        ++i;
+      }
+    }
+    for (const ProgramItem& item : in_.items) {
+      report.lines_before += item.is_motion() && item.kind != Kind::rapid;
+    }
+    for (const ProgramItem& item : out_.items) {
+      report.lines_after += item.is_motion() && item.kind != Kind::rapid;
+      report.arcs_after += item.is_arc();
+    }
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] const ProgramItem& before(std::size_t index) const {
+    return index == 0 ? in_.start : in_.items[index - 1];
+  }
+
+  /// Only x, y and z move, and extrusion.
+  [[nodiscard]] bool others_rest(const ProgramItem& from,
+                                 const ProgramItem& to) const {
+    if (from.others == to.others) return true;
+    const ProgramOtherAxes& a = in_.others[from.others];
+    const ProgramOtherAxes& b = in_.others[to.others];
+    return std::equal(a.begin(), a.end() - 1, b.begin());
+  }
+
+  [[nodiscard]] std::int64_t extruded(const ProgramItem& from,
+                                      const ProgramItem& to) const {
+    return in_.others[to.others][kAxisE - 3] -
+           in_.others[from.others][kAxisE - 3];
+  }
+
+  /// A line that may be merged with its neighbours.
+  [[nodiscard]] bool is_mergeable(std::size_t index) const {
+    const ProgramItem& item = in_.items[index];
+    const ProgramItem& from = before(index);
+    return item.kind == Kind::line && !item.keep_text &&
+           item.known == from.known && item.modes == from.modes &&
+           others_rest(from, item);
+  }
+
+  /// One past the last line of the run that begins with item `begin`; `begin`
+  /// if it is none.
+  std::size_t run_end(std::size_t begin) const {
+    if (!is_mergeable(begin)) return begin;
+    const ProgramItem& first = in_.items[begin];
+    Extrusion extrusion;
+    std::size_t end = begin;
+    while (end < in_.items.size() && is_mergeable(end) &&
+           in_.items[end].feed == first.feed &&
+           in_.items[end].spindle == first.spindle &&
+           continues(extrusion, end)) {
+      ++end;
+    }
+    return std::max(end, begin + 1);
+  }
+
+  /// Extrusion per length so far.
+  struct Extrusion {
+    double length = 0;
+    double amount = 0;
+    bool any = false;
+  };
+
+  bool continues(Extrusion& so_far, std::size_t index) const {
+    const ProgramItem& from = before(index);
+    const ProgramItem& to = in_.items[index];
+    const auto amount = static_cast<double>(extruded(from, to));
+    const double length =
+        std::hypot(static_cast<double>(to.end[0] - from.end[0]),
+                   static_cast<double>(to.end[1] - from.end[1]),
+                   static_cast<double>(to.end[2] - from.end[2]));
+    // Where nothing moves but the filament, that is a motion of its own.
+    if (length == 0 && amount != 0) return false;
+    if (so_far.any) {
+      // Five decimals are what slicers write.
+      constexpr double kRounding = 1e-5 * kPerMm;
+      const double expected =
+          so_far.length > 0 ? so_far.amount / so_far.length * length : 0;
+      if (so_far.length > 0 && (amount == 0) != (so_far.amount == 0) &&
+          length > 0) {
+        return false;
+      }
+      if (so_far.length > 0 &&
+          std::abs(amount - expected) >
+              options_.extrusion_tolerance * std::abs(expected) + kRounding) {
+        return false;
+      }
+    }
+    so_far.any = true;
+    so_far.length += length;
+    so_far.amount += amount;
+    return true;
+  }
+
+  /// True if the position after the item must be the program's own: what
+  /// follows builds on it.
+  [[nodiscard]] bool needs_exact(std::size_t index) const {
+    const ProgramItem& item = in_.items[index];
+    if (item.is_arc() || item.keep_text) return true;
+    if (index + 1 == in_.items.size()) return false;
+    const ProgramItem& next = in_.items[index + 1];
+    return next.keep_text || next.unknown_effect || next.is_arc() ||
+           next.modes != item.modes || next.known != item.known;
+  }
+
+  [[nodiscard]] std::int64_t grid(const ProgramItem& item) const {
+    const bool inches = in_.modes[item.modes].inches.value_or(false);
+    int decimals = options_.decimals;
+    if (decimals < 0) {
+      decimals = 0;
+      // The rounding of a corner is at most 0.87 of a decimal.
+      while (decimals<in_.decimals&& static_cast<double>(
+                          grid_of(decimals, inches)) *
+                      0.87 * 8>
+                 tolerance_) {
+        ++decimals;
+      }
+    }
+    return decimals >= in_.decimals ? 1 : grid_of(decimals, inches);
+  }
+
+  /// Where the output goes for item `index`: an axis that rests stays.
+  [[nodiscard]] std::array<std::int64_t, 3> rounded(
+      std::size_t index, const std::array<std::int64_t, 3>& at) const {
+    const ProgramItem& item = in_.items[index];
+    const ProgramItem& from = before(index);
+    if (needs_exact(index)) return item.end;
+    const std::int64_t step = grid(item);
+    std::array<std::int64_t, 3> to = item.end;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      to[axis] = item.end[axis] == from.end[axis] && item.known == from.known
+                     ? at[axis]
+                     : on_grid(item.end[axis], step);
+    }
+    return to;
+  }
+
+  void write_single(std::size_t index) {
+    ProgramItem item = in_.items[index];
+    if (item.is_motion() && !item.keep_text) {
+      item.end = rounded(index, written_);
+    } else if (!item.is_motion() && item.end == before(index).end) {
+      item.end = written_;
+    }
+    written_ = item.end;
+    out_.items.push_back(item);
+  }
+
+  /// Items begin ... end - 1.
+  void write_run(std::size_t begin, std::size_t end) {
+    const ProgramItem& first = in_.items[begin];
+    const ProgramPlane plane =
+        in_.modes[first.modes].plane.value_or(ProgramPlane::xy);
+    const auto axes = plane_axes(plane);
+    const std::int64_t step = grid(first);
+    fill_run(begin, end, axes);
+    CoverOptions cover;
+    cover.tolerance = tolerance_;
+    const bool arcs_known = in_.modes[first.modes].plane.has_value() &&
+                            in_.modes[first.modes].absolute_centres.has_value();
+    cover.arcs = options_.arcs && arcs_known;
+    cover.arc.grid = static_cast<double>(
+        in_.decimals == 0 || step > 1 ? step : own_grid(first));
+    const double rounding = step > 1 ? static_cast<double>(step) : 0;
+    const double square = tolerance_ * tolerance_ - 1.5 * rounding * rounding;
+    cover.arc.tolerance = square > 0 ? std::sqrt(square) : 0;
+    cover.arc.rules = options_.rules;
+    cover_run(run_, cover, pieces_);
+    for (const CoverPiece& piece : pieces_) {
+      write_piece(begin, piece, axes);
+    }
+  }
+
+  /// The grid of the program's own decimals.
+  [[nodiscard]] std::int64_t own_grid(const ProgramItem& item) const {
+    return grid_of(in_.decimals, in_.modes[item.modes].inches.value_or(false));
+  }
+
+  /// Vertex 0 is where the run begins.
+  void fill_run(std::size_t begin, std::size_t end,
+                const std::array<std::size_t, 3>& axes) {
+    const std::array<std::int64_t, 3> origin = before(begin).end;
+    const auto point = [&](const std::array<std::int64_t, 3>& p) {
+      return RunPoint{static_cast<double>(p[axes[0]] - origin[axes[0]]),
+                      static_cast<double>(p[axes[1]] - origin[axes[1]]),
+                      static_cast<double>(p[axes[2]] - origin[axes[2]])};
+    };
+    run_.vertex.clear();
+    run_.written.clear();
+    run_.vertex.push_back({});
+    run_.written.push_back(point(written_));
+    run_ends_.clear();
+    run_ends_.push_back(written_);
+    for (std::size_t i = begin; i < end; ++i) {
+      run_ends_.push_back(rounded(i, run_ends_.back()));
+      run_.vertex.push_back(point(in_.items[i].end));
+      run_.written.push_back(point(run_ends_.back()));
+    }
+    run_origin_ = origin;
+  }
+
+  void write_piece(std::size_t begin, const CoverPiece& piece,
+                   const std::array<std::size_t, 3>& axes) {
+    ProgramItem item = in_.items[begin + piece.last - 1];
+    const bool moves =
+        run_ends_[piece.last] != written_ ||
+        extruded(out_.items.empty() ? in_.start : out_.items.back(), item) != 0;
+    item.end = run_ends_[piece.last];
+    if (piece.is_arc) {
+      item.kind = piece.arc.clockwise ? Kind::clockwise : Kind::counter;
+      item.centre = {run_origin_[axes[0]] + std::llround(piece.arc.x),
+                     run_origin_[axes[1]] + std::llround(piece.arc.y)};
+    } else if (!moves) {
+      return;
+    }
+    written_ = item.end;
+    out_.items.push_back(item);
+  }
+
+  const Program& in_;
+  CompactOptions options_;
+  double tolerance_;
+  Program out_;
+  std::array<std::int64_t, 3> written_{};  ///< where the output is
+  Polyline run_;
+  std::vector<std::array<std::int64_t, 3>> run_ends_;
+  std::array<std::int64_t, 3> run_origin_{};
+  std::vector<CoverPiece> pieces_;
+};
+
+}  // namespace
+
+Result<Program> compact(const Program& program, const CompactOptions& options,
+                        CompactReport* report) {
+  if (!(options.tolerance_mm >= 1e-5 && options.tolerance_mm <= 1e6)) {
+    return Error{ErrorCode::out_of_range,
+                 "the tolerance of a program is 0.00001 mm to 1 km"};
+  }
+  try {
+    CompactReport done;
+    Result<Program> made = Compaction(program, options).make(done);
+    if (report != nullptr) *report = done;
+    return made;
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::limit_exceeded, "no memory for the program"};
+  }
+}
+
+}  // namespace unstep
