@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "common/frechet_oracle.h"
+#include "common/frechet_samples.h"
 
 namespace unstep {
 namespace {
