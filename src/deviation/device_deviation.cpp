@@ -9,9 +9,9 @@ namespace unstep {
 namespace {
 
 Error differ(std::size_t path, const char* what) {
-  return {ErrorCode::invalid_argument, "chain and path " +
-                                           std::to_string(path + 1) +
-                                           " have different " + what};
+  return {
+      ErrorCode::invalid_argument,
+      "chain and path " + std::to_string(path + 1) + " have different " + what};
 }
 
 /// The largest difference on an axis along one chain and what was drawn of it.
@@ -31,8 +31,8 @@ Status compare(const Chain& chain, const Chain& drawn, YAxis axis,
     off_x += a.x - b.x;
     off_y += a.y - b.y;
     at = {at.x + a.x, at.y + a.y};
-    const auto off = static_cast<double>(
-        std::max(std::abs(off_x), std::abs(off_y)));
+    const auto off =
+        static_cast<double>(std::max(std::abs(off_x), std::abs(off_y)));
     if (off <= worst.distance) continue;
     worst = {off, index, i + 1, static_cast<double>(at.x),
              static_cast<double>(at.y)};

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -204,8 +205,10 @@ class ArcCrossings {
 
   void add(std::uint32_t index) {
     const Curve& curve = curves_[index];
-    const double length = curve.is_arc ? curve.radius * std::abs(curve.turn)
-                                       : distance(curve.from, curve.to);
+    const double length = curve.is_arc
+                              ? curve.radius * std::abs(curve.turn)
+                              : std::max(std::abs(curve.to.x - curve.from.x),
+                                         std::abs(curve.to.y - curve.from.y));
     const auto pieces = static_cast<std::size_t>(std::ceil(length / cell_)) + 1;
     Vector a = curve.from;
     for (std::size_t i = 1; i <= pieces; ++i) {
@@ -224,14 +227,26 @@ class ArcCrossings {
            c <= cell(std::max(a.x, b.x) + margin); ++c)
         for (std::int64_t r = cell(std::min(a.y, b.y) - margin);
              r <= cell(std::max(a.y, b.y) + margin); ++r)
-          entries_.push_back({key(c, r), index});
+          enter(key(c, r), curve.is_arc, index);
       a = b;
     }
   }
 
+  /// Lines are of interest only in the cells of arcs; a few others get in, for
+  /// the marks are by a hash.
+  void enter(std::uint64_t cell, bool is_arc, std::uint32_t index) {
+    const std::size_t mark =
+        (cell * 0x9E3779B97F4A7C15U >> 32) & (marks_.size() - 1);
+    if (is_arc) marks_[mark] = true;
+    if (marks_[mark]) entries_.push_back({cell, index});
+  }
+
   void search(std::vector<bool>& wrong) {
     entries_.clear();
-    for (std::uint32_t i = 0; i < curves_.size(); ++i) add(i);
+    marks_.assign(std::bit_ceil(8 * curves_.size() + 1024), false);
+    for (const bool arcs : {true, false})
+      for (std::uint32_t i = 0; i < curves_.size(); ++i)
+        if (curves_[i].is_arc == arcs) add(i);
     std::sort(entries_.begin(), entries_.end(),
               [](const Entry& a, const Entry& b) {
                 return a.cell != b.cell ? a.cell < b.cell : a.curve < b.curve;
@@ -268,6 +283,7 @@ class ArcCrossings {
   }
 
   [[nodiscard]] bool cross(const Curve& arc, const Curve& other) const {
+    if (!other.is_arc && beside(arc, other)) return false;
     const Meetings found = meetings(arc, other);
     if (!found.any) return false;
     if (found.everywhere)
@@ -277,6 +293,15 @@ class ArcCrossings {
       if (!is_joint(arc, other, at)) return true;
     }
     return false;
+  }
+
+  /// A line outside of the square about the arc's circle.
+  static bool beside(const Curve& arc, const Curve& line) {
+    const double reach = arc.radius + kNear;
+    return std::max(line.from.x, line.to.x) < arc.centre.x - reach ||
+           std::min(line.from.x, line.to.x) > arc.centre.x + reach ||
+           std::max(line.from.y, line.to.y) < arc.centre.y - reach ||
+           std::min(line.from.y, line.to.y) > arc.centre.y + reach;
   }
 
   /// The place is where one of the two goes over into the other.
@@ -330,6 +355,7 @@ class ArcCrossings {
   std::vector<Curve> curves_;
   std::vector<std::uint32_t> counts_;
   std::vector<Entry> entries_;
+  std::vector<bool> marks_;  ///< cells that arcs reach
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "common/frechet_oracle.h"
+#include "common/frechet_samples.h"
 
 namespace unstep {
 namespace {
@@ -188,6 +188,81 @@ TEST(Deviation, RefusesWhatDoesNotBelongTogether) {
   EXPECT_EQ(code(step.chains, step.paths), kInvalid);
   const Pair good(chain_of("0"), open);
   EXPECT_FALSE(check_deviation(good.chains, good.paths, {1, 0}));
+}
+
+TEST(Deviation, OfArcsIsDecidedAtTheEdgeOfTheRing) {
+  // The square of side 2 r about a circle of radius r: its corners are
+  // (sqrt(2) - 1) r outside, and nothing is farther.
+  std::string square;
+  for (const char code : {'2', '4', '6', '0'}) square += std::string(20, code);
+  const Chain chain = chain_of(square, true, {10, -10});
+  for (const bool full : {true, false}) {
+    Path circle{{10, 0}, true, 0, {arc({-10, 0}, {0, 0}, false)}};
+    if (!full)
+      circle.elements = {arc({-10, 0}, {-20, 0}, false),
+                         arc({10, 0}, {20, 0}, false)};
+    const Pair pair(chain, circle);
+    const double corner = 10 * (std::sqrt(2.0) - 1);
+    EXPECT_NEAR(pair.measured(), corner, 2 * kFound);
+    EXPECT_TRUE(pair.within(Rational{4142136, 1000000}));
+    EXPECT_FALSE(pair.within(Rational{4142135, 1000000}));
+    // The other way round is far.
+    for (Path::Element& element : circle.elements) element.arc.clockwise = true;
+    EXPECT_FALSE(Pair(chain, circle).within(Rational{9, 1}));
+  }
+}
+
+TEST(Deviation, IsDecidedAtTheLimitsOfCoordinates) {
+  // A long way east at the top, and a far point of a fine sub-grid.
+  constexpr std::int32_t kFar = kMaxCoord - 100;
+  const Chain chain = chain_of(std::string(100, '0') + std::string(3, '2'),
+                               false, {kFar, -kMaxCoord});
+  const Path near{{kFar, -kMaxCoord + 1}, false, 0, {line(100, 0), line(0, 2)}};
+  EXPECT_TRUE(Pair(chain, near).within(Rational{1, 1}));
+  EXPECT_FALSE(Pair(chain, near).within(Rational{999999, 1000000}));
+  EXPECT_NEAR(Pair(chain, near).measured(), 1, kFound);
+  // Elements as long as the whole range: wide integers.
+  const Path across{{kFar, -kMaxCoord},
+                    false,
+                    0,
+                    {line(-kMaxCoord, 0), line(kMaxCoord, 0), line(100, 3)}};
+  EXPECT_FALSE(Pair(chain, across).within(Rational{1000000, 1}));
+  const Chain fine = chain_of("01", false, {1000, -1000});
+  const std::int32_t scale = Drawing::kMaxScale;
+  const Path sub{{1000 * scale, -1000 * scale},
+                 false,
+                 0,
+                 {line(scale + 1, 0), line(scale - 1, scale)}};
+  EXPECT_TRUE(Pair(fine, sub, scale).within(Rational{1, 1 << 20}));
+  EXPECT_FALSE(Pair(fine, sub, scale).within(Rational{1, 1 << 22}));
+}
+
+TEST(Deviation, TreatsHugeArcsByTheThoroughForm) {
+  // A radius of 2^29 over 8 steps is a line but for 2^-26.
+  const Path path{{0, 0}, false, 0, {arc({4, 1 << 29}, {8, 0}, false)}};
+  const Pair pair(chain_of("00000000"), path);
+  EXPECT_LE(pair.measured(), 0.001);
+  EXPECT_TRUE(pair.within(Rational{1, 1000}));
+}
+
+TEST(Deviation, DistanceOfDrawingsNeedsNoPairs) {
+  Drawing chains;
+  Drawing paths;
+  chains.chains = {chain_of("0000"), chain_of("2222", false, {50, 0})};
+  paths.paths = {{{100, 2}, false, 0, {line(0, -20)}},
+                 {{0, 6}, false, 0, {line(8, 0)}}};
+  paths.scale = 2;
+  const Result<Distance> found = measure_distance(chains, paths);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->of_chains.distance, 3, 0.125);
+  // (50, -9) is 9 from (50, 0): y grows downwards, the chain goes to -4.
+  EXPECT_NEAR(found->of_paths.distance, 5, 0.125);
+  EXPECT_NEAR(found->of_paths.y, -9, 0.125);
+  EXPECT_FALSE(measure_distance(chains, Drawing()));
+  EXPECT_FALSE(measure_distance(chains, paths, 0));
+  const Result<Distance> none = measure_distance(Drawing(), Drawing());
+  ASSERT_TRUE(none);
+  EXPECT_EQ(none->of_paths.distance, 0);
 }
 
 /// A chain that wanders; `turn` in 1..8 is how wildly.

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "common/frechet_oracle.h"
+#include "common/frechet_samples.h"
 #include "unstep/bitmap.h"
 #include "unstep/deviation.h"
 #include "unstep/reverse.h"
