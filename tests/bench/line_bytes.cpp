@@ -111,7 +111,7 @@ bool measure_folder(const fs::path& folder) {
     std::ifstream in(file, std::ios::binary);
     const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in),
                                           {}};
-    const Result<RasterReader> reader = RasterReader::open(bytes, {});
+    Result<RasterReader> reader = RasterReader::open(bytes, {});
     if (!reader) continue;  // not an image
     const Result<RasterPage> page = reader->read(0);
     if (!page || !measure(page->ink, borders, paths)) return false;
