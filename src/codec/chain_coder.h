@@ -9,12 +9,6 @@ namespace unstep::codec {
 
 inline constexpr std::uint8_t kChainRevision = 1;  ///< of the encoder
 
-/// log2 of the model's slots per context, a rule of the payload's steps only,
-/// so that it need not be stored.
-[[nodiscard]] constexpr int chain_table_bits(std::uint64_t steps) {
-  return steps < 5'000 ? 10 : steps < 50'000 ? 12 : 16;
-}
-
 /// Everything of a chain but its steps.
 struct ChainHead {
   Point origin;

@@ -54,6 +54,12 @@ class ChainHeadModel {
  public:
   explicit ChainHeadModel(std::uint64_t /*chains*/) {}
 
+  /// log2 of the step model's slots per context, a rule of the payload's steps
+  /// only, so that it need not be stored.
+  static constexpr int table_bits(std::uint64_t steps) {
+    return steps < 5'000 ? 10 : steps < 50'000 ? 12 : 16;
+  }
+
   template <class Coder>
   void code_frame(Coder& /*coder*/, const StartFrame& /*frame*/) {}
 
@@ -97,6 +103,11 @@ class ChainStartModel {
  public:
   explicit ChainStartModel(std::uint64_t chains)
       : starts_(chains < 2'000 ? 13 : 15) {}
+
+  /// As ChainHeadModel::table_bits.
+  static constexpr int table_bits(std::uint64_t steps) {
+    return steps < 5'000 ? 12 : steps < 50'000 ? 14 : 16;
+  }
 
   template <class Coder>
   void code_frame(Coder& coder, const StartFrame& frame) {

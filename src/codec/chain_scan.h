@@ -32,7 +32,7 @@ class ChainScan {
         count_(count),
         left_(steps),
         heads_(count),
-        model_(table_bits(steps)) {}
+        model_(Heads::table_bits(steps)) {}
 
   Status run(const BlockProgress& progress) {
     if (count_ > 0) heads_.code_frame(side_.coder(), side_.frame());
@@ -58,7 +58,6 @@ class ChainScan {
   }
 
  private:
-  static int table_bits(std::uint64_t steps) { return chain_table_bits(steps); }
   static Error cancelled() { return {ErrorCode::cancelled, "cancelled"}; }
   static Error damaged(std::uint64_t i) {
     return {ErrorCode::corrupt,

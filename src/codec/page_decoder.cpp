@@ -45,6 +45,7 @@ Error mismatch(std::string_view what) {
 struct Chains {
   using Item = Chain;
   static constexpr std::string_view kParts = "steps";
+  static constexpr std::uint64_t kItemBytes = sizeof(Chain);
   static constexpr std::uint64_t kPartBytes = 1;
 
   static std::uint64_t count(const PageEntry::Block& b) { return b.chains; }
@@ -69,7 +70,11 @@ struct Chains {
 struct Paths {
   using Item = Path;
   static constexpr std::string_view kParts = "elements";
-  static constexpr std::uint64_t kPartBytes = sizeof(Path::Element);
+  /// With what the coder remembers of each vertex.
+  static constexpr std::uint64_t kItemBytes = 64;
+  static constexpr std::uint64_t kPartBytes = 64;
+  static_assert(kItemBytes >= sizeof(Path) + 20 &&
+                kPartBytes >= sizeof(Path::Element) + 20);
 
   static std::uint64_t count(const PageEntry::Block& b) { return b.paths; }
   static std::uint64_t parts(const PageEntry::Block& b) { return b.elements; }
@@ -127,15 +132,17 @@ Status PageDecoder::check_ink_limits(std::uint64_t pixels,
   return {};
 }
 
-/// The rows of the chosen bands, which follow each other.
-Result<Bitmap> PageDecoder::decode_rows(const Chosen& chosen) const {
+/// The rows of the chosen bands, which follow each other. `copies`: how many
+/// such bitmaps there will be.
+Result<Bitmap> PageDecoder::decode_rows(const Chosen& chosen,
+                                        std::uint64_t copies) const {
   const std::int32_t first = entry_.blocks[chosen.front()].first_row;
   const PageEntry::Block& last = entry_.blocks[chosen.back()];
   const std::int32_t height = last.first_row + last.rows - first;
   const auto width = static_cast<std::uint64_t>(entry_.canvas.width);
   const auto rows = static_cast<std::uint64_t>(height);
-  // No overflow: < 2^24 words times < 2^30 rows.
-  const std::uint64_t bytes = (width + 63) / 64 * 8 * rows;
+  // No overflow: < 2^27 bytes times < 2^30 rows, twice.
+  const std::uint64_t bytes = (width + 63) / 64 * 8 * rows * copies;
   if (Status fits = check_ink_limits(width * rows, bytes); !fits) {
     return fits.error();
   }
@@ -175,7 +182,7 @@ Result<Bitmap> PageDecoder::decode_ink(const std::optional<Box>& box) const {
   if (chosen.empty()) {
     return Error{ErrorCode::out_of_range, "the box misses the page"};
   }
-  Result<Bitmap> rows = decode_rows(chosen);
+  Result<Bitmap> rows = decode_rows(chosen, box ? 2 : 1);
   if (!rows || !box) return rows;
   const std::int32_t first = entry_.blocks[chosen.front()].first_row;
   return crop(*rows, {box->x, box->y - first, box->width, box->height});
@@ -196,7 +203,7 @@ Status PageDecoder::check_item_limits(const Chosen& chosen) const {
     return too_much(Kind::kParts, parts, options_.limits.max_steps);
   }
   const std::uint64_t bytes =
-      count * sizeof(typename Kind::Item) + parts * Kind::kPartBytes;
+      count * Kind::kItemBytes + parts * Kind::kPartBytes;
   if (bytes > options_.limits.max_memory) {
     return too_much("bytes of memory", bytes, options_.limits.max_memory);
   }

@@ -29,7 +29,7 @@ class PageDecoder {
 
   [[nodiscard]] Chosen choose(const std::optional<Box>& box) const;
   Result<Bitmap> decode_ink(const std::optional<Box>& box) const;
-  Result<Bitmap> decode_rows(const Chosen& chosen) const;
+  Result<Bitmap> decode_rows(const Chosen& chosen, std::uint64_t copies) const;
   [[nodiscard]] Status check_ink_limits(std::uint64_t pixels,
                                         std::uint64_t bytes) const;
   template <class Kind>

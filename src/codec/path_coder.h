@@ -15,6 +15,10 @@ struct PathHead {
   bool closed = false;
   std::int32_t width = 0;
   std::uint64_t elements = 0;
+  /// Closed paths are coded from their topmost vertex (smallest y, then x):
+  /// the true origin comes after so many elements, counted on or, if negative,
+  /// back from there. |turn| <= elements / 2.
+  std::int64_t turn = 0;
 };
 
 /// log2 of the model's counters per context, a rule of the payload's elements

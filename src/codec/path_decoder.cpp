@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -23,9 +24,25 @@ class DecoderSide {
   /// Elements are not reserved: their number is only a claim.
   void begin(const PathHead& head) {
     paths_.push_back({head.origin, head.closed, head.width, {}});
+    turn_ = head.turn;
   }
   void push(const Path::Element& element) {
     paths_.back().elements.push_back(element);
+  }
+  /// Gives the path its own origin back.
+  void end() {
+    Path& path = paths_.back();
+    const auto n = static_cast<std::int64_t>(path.elements.size());
+    const std::int64_t first = turn_ < 0 ? n + turn_ : turn_;
+    if (first == 0 || n == 0) return;
+    for (std::int64_t i = 0; i < first; ++i) {
+      const Path::Element& element = path.elements[static_cast<std::size_t>(i)];
+      const bool arc = element.kind == Path::Kind::arc;
+      path.origin.x += arc ? element.arc.end.x : element.segment.dx;
+      path.origin.y += arc ? element.arc.end.y : element.segment.dy;
+    }
+    std::rotate(path.elements.begin(), path.elements.begin() + first,
+                path.elements.end());
   }
   [[nodiscard]] bool damaged() const { return coder_.overrun(); }
 
@@ -34,6 +51,7 @@ class DecoderSide {
  private:
   entropy::ArithmeticDecoder coder_;
   std::vector<Path> paths_;
+  std::int64_t turn_ = 0;
 };
 
 }  // namespace

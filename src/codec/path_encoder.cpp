@@ -8,6 +8,28 @@
 namespace unstep::codec {
 namespace {
 
+/// A vertex by the number of elements before it.
+struct Topmost {
+  Point at;
+  std::size_t index = 0;
+};
+
+/// Where a path is coded from.
+Topmost topmost(const Path& path) {
+  Topmost best{path.origin, 0};
+  Point at = path.origin;
+  for (std::size_t i = 0; path.closed && i + 1 < path.elements.size(); ++i) {
+    const Path::Element& element = path.elements[i];
+    const bool arc = element.kind == Path::Kind::arc;
+    at.x += arc ? element.arc.end.x : element.segment.dx;
+    at.y += arc ? element.arc.end.y : element.segment.dy;
+    if (at.y < best.at.y || (at.y == best.at.y && at.x < best.at.x)) {
+      best = {at, i + 1};
+    }
+  }
+  return best;
+}
+
 class EncoderSide {
  public:
   explicit EncoderSide(std::span<const Path> paths) : paths_(paths) {}
@@ -16,7 +38,7 @@ class EncoderSide {
   [[nodiscard]] PathFrame frame() const {
     PathFrame frame;
     for (const Path& path : paths_) {
-      frame.starts.add(path.origin.x);
+      frame.starts.add(topmost(path).at.x);
       frame.arcs |=
           std::ranges::any_of(path.elements, [](const Path::Element& element) {
             return element.kind == Path::Kind::arc;
@@ -24,20 +46,32 @@ class EncoderSide {
     }
     return frame;
   }
-  [[nodiscard]] PathHead head(std::uint64_t i) const {
+  PathHead head(std::uint64_t i) {
     const Path& path = paths_[static_cast<std::size_t>(i)];
-    return {path.origin, path.closed, path.width, path.elements.size()};
+    const Topmost top = topmost(path);
+    first_ = top.index;
+    const std::size_t n = path.elements.size();
+    const auto ahead = static_cast<std::int64_t>(n - first_);
+    const auto back = static_cast<std::int64_t>(first_);
+    return {top.at, path.closed, path.width, n,
+            first_ == 0     ? 0
+            : ahead <= back ? ahead
+                            : -back};
   }
   [[nodiscard]] Path::Element element(std::uint64_t i, std::uint64_t k) const {
-    return paths_[static_cast<std::size_t>(i)]
-        .elements[static_cast<std::size_t>(k)];
+    const Path& path = paths_[static_cast<std::size_t>(i)];
+    const std::size_t n = path.elements.size();
+    const std::size_t at = first_ + static_cast<std::size_t>(k);
+    return path.elements[at < n ? at : at - n];
   }
   void begin(const PathHead& /*head*/) {}
   void push(const Path::Element& /*element*/) {}
+  void end() {}
   [[nodiscard]] static bool damaged() { return false; }
 
  private:
   std::span<const Path> paths_;
+  std::size_t first_ = 0;  ///< element of the path that is coded first
   entropy::ArithmeticEncoder coder_;
 };
 

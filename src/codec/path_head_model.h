@@ -31,6 +31,7 @@ class PathHeadModel {
                       : elements_[kind][size_class(before_.elements)].code(
                             coder, head.elements);
     code_origin(coder, head.origin, model, h);
+    if (h.closed && h.elements > 1) code_turn(coder, head.turn, h);
     before_ = h;
     return h;
   }
@@ -72,10 +73,22 @@ class PathHeadModel {
                 static_cast<std::int32_t>(start.y)};
   }
 
+  /// A number for each small number of elements, then for each doubling.
+  template <class Coder>
+  void code_turn(Coder& coder, std::int64_t turn, PathHead& h) {
+    const std::size_t set =
+        h.elements < 12 ? static_cast<std::size_t>(h.elements)
+                        : 8 + std::min<std::size_t>(size_class(h.elements), 11);
+    h.turn = turns_[set].code(coder, turn);
+    const auto size = static_cast<std::uint64_t>(h.turn < 0 ? -h.turn : h.turn);
+    if (size > h.elements / 2) outside_ = true;
+  }
+
   std::array<entropy::Counter, 2> closed_;
   entropy::Counter new_width_;
   NumberModel width_;
   std::array<std::array<NumberModel, 12>, 2> elements_;
+  std::array<SignedNumberModel, 20> turns_;
   PathHead before_;
   bool outside_ = false;
 };

@@ -19,6 +19,7 @@ namespace unstep::codec {
 ///     element(i, k) the true element k of path i
 ///     begin(head)   a path's head is complete
 ///     push(element) so is an element of it
+///     end()         so are all of them
 ///     damaged()     the payload cannot be right; give up
 ///
 /// The decoder's answers to the questions are never looked at.
@@ -46,6 +47,7 @@ class PathScan {
         if (progress && k % 4096 == 4095 && !progress(i)) return cancelled();
       }
       model_.end();
+      side_.end();
     }
     // Of no paths there are no elements.
     return left_ == 0 ? Status() : damaged(0);

@@ -7,15 +7,18 @@
 
 #include "corrupt/file_surgery.h"
 #include "unit/container_testing.h"
+#include "unit/path_testing.h"
 #include "unstep/codec.h"
 
 namespace unstep {
 namespace {
 
+using testing::arc;
 using testing::Bytes;
 using testing::decode_all;
 using testing::Decoded;
 using testing::ink_of;
+using testing::line;
 using testing::random_ink;
 using testing::stored_page;
 using testing::write_pages;
@@ -64,6 +67,22 @@ Bytes write_chains(EncodeOptions options, const PageInfo& info) {
   return file ? *file : Bytes{};
 }
 
+Bytes write_paths(EncodeOptions options, const PageInfo& info) {
+  Drawing drawing;
+  drawing.canvas = {40, 30, YAxis::down};
+  drawing.paths = {
+      {{3, 4}, true, 0, {line(9, 0), line(0, 7), line(-9, -7)}},
+      {{12, 5}, true, 2, {arc({3, 0}, {6, 0}), line(-6, 0)}},
+      {{-2, 9}, false, 0, {line(5, 2), line(5, 3), arc({4, 3}, {})}}};
+  UstpWriter writer(std::move(options));
+  const Status added =
+      writer.add_page(drawing, info, {Fidelity::Kind::tolerance, {1, 1}});
+  EXPECT_TRUE(added) << added.error().message;
+  const Result<Bytes> file = writer.finish();
+  EXPECT_TRUE(file) << file.error().message;
+  return file ? *file : Bytes{};
+}
+
 /// What `unstep batch` adds to every file.
 EncodeOptions batch_options() {
   EncodeOptions options;
@@ -95,6 +114,7 @@ std::vector<Sample> coded_samples() {
       {"icon from batch", write_pages(std::vector{icon()}, batch_options())},
       {"chains", write_chains({}, {})},
       {"chains from batch", write_chains(batch_options(), rich_info())},
+      {"paths", write_paths({}, {})},
   };
 }
 
@@ -113,6 +133,7 @@ std::vector<Sample> samples() {
       {"two pages in bands", rich_file(3)},
       {"stored", codec::short_form(stored_page(noise, 1))},
       {"stored bands", *codec::block_form(stored_bands, {})},
+      {"paths from batch", write_paths(batch_options(), rich_info())},
   };
 }
 

@@ -91,7 +91,7 @@ inline bool same(const Decoded& a, const Decoded& b) {
     const Page& p = a.pages[i];
     const Page& q = b.pages[i];
     if (p.kind != q.kind || p.info != q.info || p.ink != q.ink ||
-        p.drawing != q.drawing) {
+        p.drawing != q.drawing || p.fidelity != q.fidelity) {
       return false;
     }
   }

@@ -55,6 +55,7 @@ TEST(Golden, ValidFilesDecodeToWhatTheyAlwaysDid) {
               read_text(path.replace_extension(".txt")));
     Bytes pbm;
     std::vector<Drawing> drawings;
+    std::string paths;
     for (std::size_t i = 0; i < reader->info().pages.size(); ++i) {
       const Result<Page> page = reader->read_page(i);
       ASSERT_TRUE(page) << page.error().message;
@@ -62,11 +63,18 @@ TEST(Golden, ValidFilesDecodeToWhatTheyAlwaysDid) {
         drawings.push_back(page->drawing);
         continue;
       }
+      if (page->kind == PageKind::paths) {
+        paths += testing::text_of(page->drawing.paths);
+        continue;
+      }
       const Bytes one = testing::pbm_of(page->ink);
       pbm.insert(pbm.end(), one.begin(), one.end());
     }
     if (!pbm.empty()) {
       EXPECT_EQ(pbm, read(path.replace_extension(".pbm")));
+    }
+    if (!paths.empty()) {
+      EXPECT_EQ(paths, read_text(path.replace_extension(".paths")));
     }
     for (const Drawing& drawing : drawings) {
       const Result<Drawing> text =
@@ -83,8 +91,8 @@ TEST(Golden, EveryCoderHasFiles) {
   for (fs::path path : golden_files("valid")) {
     texts += read_text(path.replace_extension(".txt"));
   }
-  for (const int coder :
-       {codec::kCoderStored, codec::kCoderContours, codec::kCoderChains}) {
+  for (const int coder : {codec::kCoderStored, codec::kCoderContours,
+                          codec::kCoderChains, codec::kCoderPaths}) {
     EXPECT_NE(texts.find("  coder " + std::to_string(coder) + "."),
               std::string::npos)
         << coder;

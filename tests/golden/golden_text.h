@@ -35,7 +35,22 @@ inline std::string text_of(const PageEntry::Block& block) {
          std::to_string(block.bytes) + " rows " +
          std::to_string(block.first_row) + " + " + std::to_string(block.rows) +
          " chains " + std::to_string(block.chains) + " steps " +
-         std::to_string(block.steps) + "\n";
+         std::to_string(block.steps) +
+         (block.coder < 24
+              ? ""
+              : " paths " + std::to_string(block.paths) + " elements " +
+                    std::to_string(block.elements)) +
+         "\n";
+}
+
+/// What only pages of paths have.
+inline std::string text_of_paths_head(const PageEntry& page) {
+  if (page.kind != PageKind::paths) return "";
+  return " fidelity " + std::to_string(static_cast<int>(page.fidelity.kind)) +
+         " tolerance " + std::to_string(page.fidelity.tolerance.numerator) +
+         "/" + std::to_string(page.fidelity.tolerance.denominator) + " scale " +
+         std::to_string(page.scale) + " paint " +
+         std::to_string(static_cast<int>(page.paint));
 }
 
 inline std::string text_of(const FileInfo& info) {
@@ -45,16 +60,43 @@ inline std::string text_of(const FileInfo& info) {
       text_of(info.metadata, "");
   for (const PageEntry& page : info.pages) {
     text += std::string("page ") +
-            (page.kind == PageKind::ink ? "ink " : "chains ") +
+            (page.kind == PageKind::ink      ? "ink "
+             : page.kind == PageKind::chains ? "chains "
+                                             : "paths ") +
             std::to_string(page.canvas.width) + " x " +
             std::to_string(page.canvas.height) +
-            (page.canvas.y_axis == YAxis::up ? " y up" : "") + " checksum " +
+            (page.canvas.y_axis == YAxis::up ? " y up" : "") +
+            text_of_paths_head(page) + " checksum " +
             std::to_string(page.checksum) + " name '" + page.info.name +
             "' resolution " + text_of(page.info.resolution) + "\n" +
             text_of(page.info.metadata, "  ");
     for (const PageEntry::Block& block : page.blocks) text += text_of(block);
   }
   return text;
+}
+
+/// One line a path, then one an element.
+inline std::string text_of(const std::vector<Path>& paths) {
+  const auto text = [](const Point& p) {
+    return " " + std::to_string(p.x) + " " + std::to_string(p.y);
+  };
+  std::string lines;
+  for (const Path& path : paths) {
+    lines += std::string(path.closed ? "closed" : "open") + text(path.origin) +
+             " width " + std::to_string(path.width) + "\n";
+    for (const Path::Element& element : path.elements) {
+      if (element.kind == Path::Kind::segment) {
+        lines +=
+            "  line" + text({element.segment.dx, element.segment.dy}) + "\n";
+      } else {
+        lines += "  arc" + text(element.arc.end) + " centre" +
+                 text(element.arc.centre) +
+                 (element.arc.clockwise ? " clockwise" : " counterclockwise") +
+                 "\n";
+      }
+    }
+  }
+  return lines;
 }
 
 /// REQUIRES: an ink page.

@@ -9,8 +9,10 @@
 #include "corrupt/file_surgery.h"
 #include "golden/golden_text.h"
 #include "unit/container_testing.h"
+#include "unit/path_testing.h"
 
 /// make_golden FOLDER: the golden files of coder 0 and of the container.
+/// make_golden --paths FOLDER: those of paths.
 /// make_golden --describe FILE.ustp: the text of a file's header.
 namespace unstep::testing {
 namespace {
@@ -154,6 +156,69 @@ void write_all_failing(const fs::path& folder) {
   write_failing(folder, "corrupt-overlapping_bands", join(overlap));
 }
 
+void write_path_file(const fs::path& folder, const std::string& name,
+                     const Drawing& drawing, const Fidelity& fidelity,
+                     const PageInfo& info) {
+  UstpWriter writer{EncodeOptions{}};
+  const Status added = writer.add_page(drawing, info, fidelity);
+  const Result<Bytes> file = writer.finish();
+  if (!added || !file) {
+    std::fprintf(
+        stderr, "%s: %s\n", name.c_str(),
+        added ? file.error().message.c_str() : added.error().message.c_str());
+    return;
+  }
+  write(folder / "valid" / (name + ".ustp"), *file);
+  std::ofstream(folder / "valid" / (name + ".txt"))
+      << text_of(UstpReader::open(*file, {})->info());
+  std::ofstream(folder / "valid" / (name + ".paths")) << text_of(drawing.paths);
+}
+
+/// Each kind of element, start and size that the coder knows.
+void write_paths(const fs::path& folder) {
+  Drawing shapes;
+  shapes.canvas = {200, 150, YAxis::down};
+  const auto corner = [](Point centre, Point end) {
+    return arc(centre, end, true);
+  };
+  const Path rounded{
+      {20, 10},
+      true,
+      0,
+      {line(60, 0), corner({0, 5}, {5, 5}), line(0, 20),
+       corner({-5, 0}, {-5, 5}), line(-60, 0), corner({0, -5}, {-5, -5}),
+       line(0, -20), corner({5, 0}, {5, -5})}};
+  shapes.paths = {rounded,
+                  {{100, 60}, true, 0, {arc({12, 9}, {}, false)}},
+                  {{60, 90}, true, 0, {line(0, 0), line(9, 3), line(-9, -3)}},
+                  {{3, 4}, true, 0, {}},
+                  {{9, 70}, true, 0, {line(1, 0), line(0, 1), line(-1, -1)}}};
+  shapes.paths.push_back(rounded);
+  shapes.paths.back().origin = {30, 60};
+  write_path_file(folder, "paths_shapes", shapes,
+                  {Fidelity::Kind::tolerance, {1, 1}}, {});
+
+  Drawing strokes;
+  strokes.canvas = {0, 0, YAxis::up};
+  strokes.scale = 100;
+  strokes.paint = Paint::stroke;
+  strokes.paths = random_paths(1, 12, 40);
+  strokes.paths.push_back({{-kMaxCoord, kMaxCoord},
+                           false,
+                           kMaxCoord,
+                           {line(2 * kMaxCoord, -2 * kMaxCoord),
+                            arc({-kMaxCoord, 1}, {-2 * kMaxCoord, 5})}});
+  write_path_file(folder, "paths_strokes", strokes,
+                  {Fidelity::Kind::tolerance, {3, 4}},
+                  {"strokes", {}, {{"svg:title", "strokes"}}});
+
+  Drawing device;
+  device.canvas = {300, 300, YAxis::down};
+  device.paths = random_paths(2, 60, 30, false);
+  write_path_file(folder, "paths_device", device, {Fidelity::Kind::device, {}},
+                  {});
+}
+
 int describe(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   const Bytes file{std::istreambuf_iterator<char>(in), {}};
@@ -173,8 +238,14 @@ int main(int argc, char** argv) {
   if (argc == 3 && std::string(argv[1]) == "--describe") {
     return unstep::testing::describe(argv[2]);
   }
+  if (argc == 3 && std::string(argv[1]) == "--paths") {
+    unstep::testing::write_paths(argv[2]);
+    return 0;
+  }
   if (argc != 2) {
-    std::fprintf(stderr, "usage: make_golden FOLDER | --describe FILE.ustp\n");
+    std::fprintf(stderr,
+                 "usage: make_golden FOLDER | --paths FOLDER | "
+                 "--describe FILE.ustp\n");
     return 2;
   }
   const std::filesystem::path folder = argv[1];

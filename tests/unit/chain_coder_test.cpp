@@ -1,3 +1,5 @@
+#include "codec/chain_coder.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -54,10 +54,12 @@ struct PageInfo {
   friend bool operator==(const PageInfo&, const PageInfo&) = default;
 };
 
-/// Hard limits of a decoder, checked before anything is allocated.
+/// Hard limits of a decoder, checked before anything is allocated. Of a page
+/// that is read in part, what is read counts.
 struct DecodeLimits {
   std::uint64_t max_pixels = std::uint64_t{1} << 32;  ///< per page
-  std::uint64_t max_steps = std::uint64_t{1} << 32;   ///< per page
+  std::uint64_t max_steps = std::uint64_t{1} << 32;   ///< per page;
+                                                      ///< elements of paths
   std::uint64_t max_memory = std::uint64_t{2} << 30;  ///< bytes, whole call
 };
 

@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "unstep/codec.h"
+#include "unstep/formats.h"
+#include "unstep/reverse.h"
+#include "unstep/trace.h"
+
+/// line_bytes FOLDER...: what lines cost, summed over the bilevel images of
+/// each folder, whole files, proven by decoding: the border pixels of every
+/// contour as 8-connected chains, and the contours as paths within a
+/// tolerance.
+namespace unstep::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The ink pixel on the right hand of a crack that leaves p by `step`.
+Point right_pixel(Point p, Step step) {
+  switch (step) {
+    case 0: return p;
+    case 6: return {p.x - 1, p.y};
+    case 4: return {p.x - 1, p.y - 1};
+    default: return {p.x, p.y - 1};
+  }
+}
+
+Step step_between(Point a, Point b) {
+  for (Step step = 0; step < 8; ++step) {
+    const Point move = step_delta(step, YAxis::down);
+    if (a.x + move.x == b.x && a.y + move.y == b.y) return step;
+  }
+  return 0;  // neighbours along a border touch
+}
+
+/// The border pixels of a contour in its order: a crack after a right turn is
+/// of the pixel before, after a left turn of the diagonal neighbour.
+Chain border_of(const Chain& contour) {
+  std::vector<Point> pixels;
+  Point at = contour.origin;
+  for (const Step step : contour.steps) {
+    const Point pixel = right_pixel(at, step);
+    if (pixels.empty() || pixels.back() != pixel) pixels.push_back(pixel);
+    const Point move = step_delta(step, YAxis::down);
+    at = {at.x + move.x, at.y + move.y};
+  }
+  while (pixels.size() > 1 && pixels.back() == pixels[0]) pixels.pop_back();
+  Chain border{pixels[0], Connectivity::eight, true, {}};
+  for (std::size_t i = 0; pixels.size() > 1 && i < pixels.size(); ++i) {
+    border.steps.push_back(
+        step_between(pixels[i], pixels[(i + 1) % pixels.size()]));
+  }
+  return border;
+}
+
+struct Sum {
+  std::uint64_t bytes = 0;
+  std::uint64_t parts = 0;  ///< steps or elements
+};
+
+bool add_file(const Drawing& drawing, const Fidelity& fidelity, Sum& sum) {
+  UstpWriter writer{EncodeOptions{}};
+  const Status added = writer.add_page(drawing, {}, fidelity);
+  if (!added) {
+    std::fprintf(stderr, "%s\n", added.error().message.c_str());
+    return false;
+  }
+  sum.bytes += writer.finish()->size();
+  for (const Chain& chain : drawing.chains) sum.parts += chain.steps.size();
+  for (const Path& path : drawing.paths) sum.parts += path.elements.size();
+  return true;
+}
+
+bool measure(const Bitmap& ink, Sum& borders, std::vector<Sum>& paths) {
+  Drawing contours;
+  contours.canvas = {ink.width(), ink.height(), YAxis::down};
+  Drawing chains = contours;
+  const Status traced = trace_contours(ink, [&](const Chain& contour) {
+    contours.chains.push_back(contour);
+    chains.chains.push_back(border_of(contour));
+    return true;
+  });
+  bool done = bool{traced} && add_file(chains, {}, borders);
+  for (std::size_t i = 0; done && i < paths.size(); ++i) {
+    ToleranceOptions options;
+    options.tolerance = {static_cast<std::uint32_t>(i + 1), 1};
+    const Result<Drawing> lines = reverse_tolerance(contours, options);
+    done = bool{lines} &&
+           add_file(*lines, {Fidelity::Kind::tolerance, options.tolerance},
+                    paths[i]);
+  }
+  return done;
+}
+
+bool measure_folder(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  Sum borders;
+  std::vector<Sum> paths(2);
+  std::size_t count = 0;
+  for (const fs::path& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in),
+                                          {}};
+    Result<RasterReader> reader = RasterReader::open(bytes, {});
+    if (!reader) continue;  // not an image
+    const Result<RasterPage> page = reader->read(0);
+    if (!page || !measure(page->ink, borders, paths)) return false;
+    ++count;
+  }
+  std::printf(
+      "%-12s %4zu files  borders %9llu bytes %7.4f bit/step",
+      folder.filename().c_str(), count,
+      static_cast<unsigned long long>(borders.bytes),
+      8.0 * static_cast<double>(borders.bytes) /
+          static_cast<double>(std::max<std::uint64_t>(borders.parts, 1)));
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    std::printf(
+        "  e=%zu %8llu bytes %8llu elements %6.4f", i + 1,
+        static_cast<unsigned long long>(paths[i].bytes),
+        static_cast<unsigned long long>(paths[i].parts),
+        static_cast<double>(paths[i].bytes) /
+            static_cast<double>(std::max<std::uint64_t>(paths[i].parts, 1)));
+  }
+  std::printf("\n");
+  return true;
+}
+
+}  // namespace
+}  // namespace unstep::bench
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: line_bytes FOLDER...\n");
+    return 2;
+  }
+  for (int i = 1; i < argc; ++i) {
+    if (!unstep::bench::measure_folder(argv[i])) return 1;
+  }
+}
