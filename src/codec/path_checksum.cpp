@@ -61,7 +61,7 @@ bool sweeps(const Place& a, const Place& b, const Place& d) {
 }
 
 /// The extreme points of the circle that the arc passes.
-void add_arc(const Place& from, const Arc& arc, YAxis axis, std::int64_t margin,
+void add_arc(const Place& from, const Arc& arc, std::int64_t margin,
              Bounds& bounds) {
   const Place centre = from + arc.centre;
   Place a{-arc.centre.x, -arc.centre.y};
@@ -69,7 +69,7 @@ void add_arc(const Place& from, const Arc& arc, YAxis axis, std::int64_t margin,
           std::int64_t{arc.end.y} - arc.centre.y};
   const std::int64_t r =
       root_up(std::max(a.x * a.x + a.y * a.y, b.x * b.x + b.y * b.y));
-  const bool x_to_y = arc.clockwise == (axis == YAxis::down);
+  const bool x_to_y = !arc.clockwise;
   if (!x_to_y) std::swap(a, b);
   constexpr std::array<Point, 4> kAxes{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
   for (const Point& d : kAxes) {
@@ -120,7 +120,7 @@ class PathWalk {
     if (!in_range(to) || !in_range(at_ + arc.centre)) {
       return bad(where + " leaves the range");
     }
-    add_arc(at_, arc, space_.axis, margin_, bounds);
+    add_arc(at_, arc, margin_, bounds);
     at_ = to;
     return {};
   }
