@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -19,13 +20,15 @@ inline constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;
          (a >> 29);
 }
 
-/// Sign and magnitude of an area, 0..23.
+/// Sign and magnitude of an area, two levels an octave, 0..31.
 [[nodiscard]] inline unsigned quantise_area(std::int64_t area) {
-  constexpr std::array<std::int64_t, 8> kSteps{4, 6, 9, 14, 20, 30, 45, 70};
-  const std::int64_t size = std::abs(area);
-  unsigned level = size < 4 ? static_cast<unsigned>(size) : 3U;
-  for (const std::int64_t step : kSteps) level += size >= step ? 1U : 0U;
-  return area < 0 ? 12 + level : level;
+  const auto size = static_cast<std::uint64_t>(area < 0 ? -area : area);
+  const auto octave = static_cast<unsigned>(std::bit_width(size));
+  const unsigned level =
+      octave < 2
+          ? octave
+          : octave * 2 - 2 + static_cast<unsigned>(size >> (octave - 2) & 1);
+  return std::min(level, 15U) + (area < 0 ? 16U : 0U);
 }
 
 /// The weight of (p - 1/2) as a second input of each counter: it grows with

@@ -77,17 +77,32 @@ class ContourScan {
         found = starts_.candidates(y, word, above, used);
       }
     }
-    std::uint64_t truth = side_.starts(y, word, cracks_);
-    while ((found.near & ~excluded) != 0) {
-      const std::uint64_t bit = std::bit_floor(found.near & ~excluded);
+    for (;;) {
+      const std::uint64_t mask = found.likely & ~excluded;
+      if (mask == 0) break;
+      const std::uint64_t bit = std::bit_floor(mask);
       excluded |= bit;
-      const std::int32_t x = word * 64 + std::countl_zero(bit);
-      const bool ink = (above & bit) != 0;
-      if (starts_.code_near(side_.coder(), x, y, ink, (truth & bit) != 0)) {
-        if (!walk(x, y, !ink)) return false;
-        found = starts_.candidates(y, word, above, used);
-        truth = side_.starts(y, word, cracks_);
+      const std::uint64_t truth = side_.starts(y, word, cracks_);
+      if (!starts_.code_one(side_.coder(), bit, word * 64, y, above, truth)) {
+        continue;
       }
+      if (!walk(word * 64 + std::countl_zero(bit), y, (above & bit) == 0)) {
+        return false;
+      }
+      found = starts_.candidates(y, word, above, used);
+    }
+    for (;;) {
+      const std::uint64_t mask = found.near & ~excluded;
+      if (mask == 0) break;
+      const std::uint64_t truth = side_.starts(y, word, cracks_);
+      const std::uint64_t bit =
+          starts_.code_near(side_.coder(), mask, word * 64, y, above, truth);
+      if (bit == 0) break;
+      excluded |= ~(bit - 1);  // it and those before it
+      if (!walk(word * 64 + std::countl_zero(bit), y, (above & bit) == 0)) {
+        return false;
+      }
+      found = starts_.candidates(y, word, above, used);
     }
     return true;
   }
@@ -98,17 +113,19 @@ class ContourScan {
     const CrackMap::Address start = cracks_.at(x, y);
     const std::int32_t top = y;
     CrackMap::Address point = start;
+    CrackMap::Address flipped = cracks_.flipped_at(x, y);
     Quarter direction = 0;
-    turns_.begin(start, ink);
+    turns_.begin(start, flipped, ink);
     for (;;) {
-      cracks_.set(point + cracks_.crack(direction));
+      cracks_.mark(point, flipped, direction);
       point += cracks_.step(direction);
+      flipped += cracks_.flipped_step(direction);
       x += kQuarterDx[static_cast<std::size_t>(direction)];
       y += kQuarterDy[static_cast<std::size_t>(direction)];
       if (point == start) return true;
-      const unsigned allowed = allowed_turns(point, x, y, top, direction);
+      const unsigned allowed = turns_.arrive() & inside(x, y, top, direction);
       Turn turn = kStraight;
-      if (std::popcount(allowed) == 1) {
+      if (allowed != 0 && (allowed & (allowed - 1)) == 0) {
         turn = static_cast<Turn>(std::countr_zero(allowed));
       } else if (allowed == 0 || side_.damaged()) {
         return false;
@@ -121,21 +138,21 @@ class ContourScan {
     }
   }
 
-  /// The turns that lead along an unknown crack inside the raster. A contour
-  /// never goes north or west in the row of its start.
-  unsigned allowed_turns(CrackMap::Address point, std::int32_t x,
-                         std::int32_t y, std::int32_t top,
-                         Quarter direction) const {
+  /// The turns that stay inside the raster. A contour never goes north or west
+  /// in the row of its start.
+  [[nodiscard]] unsigned inside(std::int32_t x, std::int32_t y,
+                                std::int32_t top, Quarter direction) const {
+    if (x > 0 && x < cracks_.width() && y > top && y < cracks_.height()) {
+      return 7;
+    }
     unsigned allowed = 0;
     for (const Turn turn : {kStraight, kLeft, kRight}) {
       const Quarter q = turned(direction, turn);
-      const bool inside = q == 0   ? x < cracks_.width()
-                          : q == 1 ? y < cracks_.height()
-                          : q == 2 ? x > 0 && y > top
-                                   : y > top;
-      if (inside && cracks_.test(point + cracks_.crack(q)) == 0) {
-        allowed |= 1U << turn;
-      }
+      const bool in = q == 0   ? x < cracks_.width()
+                      : q == 1 ? y < cracks_.height()
+                      : q == 2 ? x > 0 && y > top
+                               : y > top;
+      if (in) allowed |= 1U << turn;
     }
     return allowed;
   }

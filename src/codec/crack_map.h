@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "trace/contour_turn.h"
@@ -29,7 +31,9 @@ class CrackMap {
   /// Bytes that the constructor allocates. No overflow: sides < 2^30, so a
   /// plane has fewer than 2^31 * 2^31 bits.
   static std::uint64_t memory(std::int32_t width, std::int32_t height) {
-    return stride_words(width) * plane_rows(height) * 2 * 8;
+    return (stride_words(width) * plane_rows(height) * 2 +
+            stride_words(height) * plane_rows(width)) *
+           8;
   }
 
   CrackMap(std::int32_t width, std::int32_t height)
@@ -37,7 +41,8 @@ class CrackMap {
         height_(height),
         stride_(static_cast<Address>(stride_words(width) * 64)),
         plane_(stride_ * static_cast<Address>(plane_rows(height))),
-        words_(stride_words(width) * plane_rows(height) * 2) {}
+        flipped_stride_(static_cast<Address>(stride_words(height) * 64)),
+        bytes_(memory(width, height)) {}
 
   [[nodiscard]] std::int32_t width() const { return width_; }
   [[nodiscard]] std::int32_t height() const { return height_; }
@@ -49,6 +54,20 @@ class CrackMap {
   [[nodiscard]] Address stride() const { return stride_; }
   /// What to add to reach the same point in the vertical plane.
   [[nodiscard]] Address vertical() const { return plane_; }
+
+  /// The point's bit in the flipped plane, which holds the horizontal cracks
+  /// again, column after column, so that those above each other are neighbours.
+  [[nodiscard]] Address flipped_at(std::int32_t x, std::int32_t y) const {
+    return 2 * plane_ + (Address{x} + kMargin) * flipped_stride_ + y + 64;
+  }
+  [[nodiscard]] Address flipped_step(Quarter direction) const {
+    switch (direction) {
+      case 0: return flipped_stride_;
+      case 1: return 1;
+      case 2: return -flipped_stride_;
+      default: return -1;
+    }
+  }
 
   /// The address of the crack that leaves a point towards a direction,
   /// relative to the point.
@@ -72,33 +91,49 @@ class CrackMap {
 
   [[nodiscard]] unsigned test(Address bit) const {
     const auto u = static_cast<std::size_t>(bit);
-    return static_cast<unsigned>(words_[u / 64] >> (63 - u % 64)) & 1U;
+    return static_cast<unsigned>(bytes_[u / 8]) >> (7 - u % 8) & 1U;
   }
-  void set(Address bit) {
-    const auto u = static_cast<std::size_t>(bit);
-    words_[u / 64] |= std::uint64_t{1} << (63 - u % 64);
+  /// Marks the crack from a point (and its address in the flipped plane).
+  void mark(Address point, Address flipped, Quarter direction) {
+    set(point + crack(direction));
+    if (direction == 0) set(flipped);
+    if (direction == 2) set(flipped - flipped_stride_);
   }
 
   /// The aligned word that starts at point (64 * word, y) of the horizontal
   /// plane; -1 and one past the last used word are margins.
   [[nodiscard]] std::uint64_t horizontal_word(std::int32_t y,
                                               std::int32_t word) const {
-    return words_[static_cast<std::size_t>((at(0, y) >> 6) + word)];
+    return load(static_cast<std::size_t>(at(0, y) / 8 + Address{word} * 8));
   }
   [[nodiscard]] std::uint64_t vertical_word(std::int32_t y,
                                             std::int32_t word) const {
-    return words_[static_cast<std::size_t>(((at(0, y) + plane_) >> 6) + word)];
+    return load(
+        static_cast<std::size_t>((at(0, y) + plane_) / 8 + Address{word} * 8));
   }
 
-  /// 64 bits from `bit` on, the first in the highest place.
+  /// At least kWindow bits from `bit` on, the first in the highest place; below
+  /// them is nothing to rely on.
+  static constexpr int kWindow = 57;
   [[nodiscard]] std::uint64_t window(Address bit) const {
     const auto u = static_cast<std::size_t>(bit);
-    const std::uint64_t high = words_[u / 64];
-    const std::uint64_t low = words_[u / 64 + 1];
-    return high << (u % 64) | (low >> 1) >> (63 - u % 64);
+    return load(u / 8) << (u % 8);
   }
 
  private:
+  void set(Address bit) {
+    const auto u = static_cast<std::size_t>(bit);
+    bytes_[u / 8] = static_cast<std::uint8_t>(bytes_[u / 8] | 0x80U >> u % 8);
+  }
+  /// 8 bytes, the first one highest.
+  [[nodiscard]] std::uint64_t load(std::size_t byte) const {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes_.data() + byte, 8);
+    if constexpr (std::endian::native == std::endian::little) {
+      word = __builtin_bswap64(word);
+    }
+    return word;
+  }
   // A word of margin on the left; on the right the points up to x = width and
   // at least one more word, so that window() stays inside the planes.
   static std::uint64_t stride_words(std::int32_t width) {
@@ -112,7 +147,8 @@ class CrackMap {
   std::int32_t height_;
   Address stride_;
   Address plane_;
-  std::vector<std::uint64_t> words_;
+  Address flipped_stride_;
+  std::vector<std::uint8_t> bytes_;
 };
 
 }  // namespace unstep::codec

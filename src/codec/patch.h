@@ -40,9 +40,15 @@ inline constexpr std::uint64_t kNear =
     bit(across(0, -2)) | bit(across(-1, 0)) | bit(across(-1, -1)) |
     bit(across(1, 1)) | bit(across(1, -2));
 
-/// The three cracks that may be walked next.
-inline constexpr std::uint64_t kExits =
-    bit(along(0, 0)) | bit(across(0, 0)) | bit(across(0, -1));
+/// The three cracks that may be walked next: bit t is set if the one of turn t
+/// is known.
+[[nodiscard]] constexpr unsigned ways(std::uint64_t patch) {
+  static_assert(trace::kStraight == 0 && trace::kLeft == 1 &&
+                trace::kRight == 2);
+  return static_cast<unsigned>((patch >> along(0, 0) & 1) |
+                               (patch >> across(0, -1) & 1) << 1 |
+                               (patch >> across(0, 0) & 1) << 2);
+}
 
 namespace detail {
 

@@ -24,10 +24,10 @@ StartModel::StartModel(const CrackMap& cracks)
       near_(near_first(kContexts)),
       mixer_({64}, warm::kStartWeights) {
   static_assert(kContexts == warm::kStartContexts);
-  static_assert(std::tuple_size_v<decltype(open_)> == warm::kOpenContexts);
-  for (std::size_t i = 0; i < open_.size(); ++i) {
-    open_[i] = {warm::kOpen[i][0],
-                static_cast<std::uint8_t>(warm::kOpen[i][1])};
+  static_assert(kFlags == warm::kFlags);
+  for (std::size_t i = 0; i < kFlags; ++i) {
+    flags_[i] = {warm::kFlagStart[i][0],
+                 static_cast<std::uint8_t>(warm::kFlagStart[i][1])};
   }
   for (entropy::Counter& counter : near_) counter.p = kUnknown;
   for (std::size_t i = 0; i < kContexts; ++i) {
@@ -57,7 +57,15 @@ StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
   const std::uint64_t possible = used & ~east & ~south & ~(north ^ west);
   const std::uint64_t near =
       spread(known(word - 1), known(word), known(word + 1));
-  return {possible & near,
+  const std::uint64_t roof = cracks_.horizontal_word(y - 1, word);
+  const std::uint64_t beside_left =
+      north >> 1 | cracks_.vertical_word(y - 1, word - 1) << 63;
+  const std::uint64_t beside_right =
+      south << 1 | cracks_.vertical_word(y, word + 1) >> 63;
+  const std::uint64_t likely =
+      near & (north | (above & (roof | (beside_left & beside_right))));
+  return {possible & near & ~likely,
+          possible & likely,
           {possible & ~near & ~above, possible & ~near & above}};
 }
 
@@ -67,6 +75,7 @@ void StartModel::begin_row() {
         recent_[i] - recent_[i] / 4 + std::min(row_starts_[i], 64U) * 16;
     row_starts_[i] = 0;
   }
+  row_near_ = 0;
 }
 
 std::size_t StartModel::open_context(std::uint64_t mask, bool ink) const {
@@ -81,38 +90,45 @@ std::size_t StartModel::open_context(std::uint64_t mask, bool ink) const {
 
 void StartModel::note_start(bool ink) { ++row_starts_[ink ? 1 : 0]; }
 
-entropy::Counter& StartModel::tight(std::int32_t x, std::int32_t y, bool ink) {
-  const CrackMap::Address at = cracks_.at(x, y);
-  const CrackMap::Address stride = cracks_.stride();
-  const CrackMap::Address vertical = cracks_.vertical();
-  const auto bits = [&](CrackMap::Address first, int count) {
-    return cracks_.window(first) >> (64 - count);
-  };
-  row_ = bits(at - 3, 8);
-  north_ = bits(at + vertical - stride - 3, 8);
-  south_ = bits(at + vertical - 3, 8);
-  above_ = bits(at - stride - 3, 8);
-  below_ = bits(at + stride - 3, 8);
-  active_[0] = &near_[(row_ >> 2 & 7) | (north_ >> 2 & 7) << 3 |
-                      (south_ >> 2 & 7) << 6 | (above_ >> 3 & 7) << 9 |
-                      (below_ >> 3 & 7) << 12 | (ink ? 1U : 0U) << 15];
-  return *active_[0];
+std::size_t StartModel::group_context(std::uint64_t mask, std::uint64_t above,
+                                      std::int32_t x, std::int32_t y) const {
+  const std::size_t size = std::min<std::size_t>(
+      std::bit_width(std::uint64_t(std::popcount(mask & ~above))), 7);
+  const std::size_t inner = std::min<std::size_t>(
+      std::bit_width(std::uint64_t(std::popcount(mask & above))), 4);
+  const std::uint64_t roof = cracks_.horizontal_word(y - 1, x / 64);
+  return kOpenFlags + ((size * 5 + inner) * 3 + std::min(row_near_, 2U)) * 2 +
+         ((mask & roof) != 0 ? 1U : 0U);
 }
 
 void StartModel::predict_near(std::int32_t x, std::int32_t y, bool ink) {
-  const std::uint64_t higher =
-      cracks_.window(cracks_.at(x, y) - 2 * cracks_.stride() - 3) >> 56;
-  const std::uint64_t full = row_ | north_ << 8 | south_ << 16 | above_ << 24 |
-                             below_ << 32 | higher << 40 |
+  const CrackMap::Address at = cracks_.at(x, y);
+  const CrackMap::Address stride = cracks_.stride();
+  const CrackMap::Address vertical = cracks_.vertical();
+  const auto bits = [&](CrackMap::Address first) {
+    return cracks_.window(first - 3) >> 56;
+  };
+  const std::uint64_t row = bits(at);
+  const std::uint64_t north = bits(at + vertical - stride);
+  const std::uint64_t south = bits(at + vertical);
+  const std::uint64_t above = bits(at - stride);
+  const std::uint64_t below = bits(at + stride);
+  const std::uint64_t higher = bits(at - 2 * stride);
+  const std::uint64_t tight = (row >> 2 & 7) | (north >> 2 & 7) << 3 |
+                              (south >> 2 & 7) << 6 | (above >> 3 & 7) << 9 |
+                              (below >> 3 & 7) << 12 | std::uint64_t{ink} << 15;
+  const std::uint64_t mid = (row >> 1 & 31) | (north >> 1 & 31) << 5 |
+                            (south >> 1 & 31) << 10 | (above >> 2 & 15) << 15 |
+                            (below >> 2 & 15) << 19 | (higher >> 2 & 15) << 23 |
+                            std::uint64_t{ink} << 27;
+  const std::uint64_t full = row | north << 8 | south << 16 | above << 24 |
+                             below << 32 | higher << 40 |
                              std::uint64_t{ink} << 48;
-  const std::uint64_t mid =
-      (row_ >> 1 & 31) | (north_ >> 1 & 31) << 5 | (south_ >> 1 & 31) << 10 |
-      (above_ >> 2 & 15) << 15 | (below_ >> 2 & 15) << 19 |
-      (higher >> 2 & 15) << 23 | std::uint64_t{ink} << 27;
   const auto slot = [&](std::size_t i, std::uint64_t value) {
     const std::uint64_t hash = (value + 1) * 0x9e3779b97f4a7c15ULL;
     active_[i] = &near_[near_first(i) + (hash >> (64 - near_bits(i)))];
   };
+  active_[0] = &near_[tight];
   slot(1, mid);
   slot(2, full);
 }

@@ -23,7 +23,8 @@ class StartModel {
 
   /// Candidate starts among the 64 points of `word` in row y.
   struct Candidates {
-    std::uint64_t near = 0;               ///< beside known cracks
+    std::uint64_t near = 0;               ///< beside known cracks, not likely
+    std::uint64_t likely = 0;             ///< near ones under thin ink
     std::array<std::uint64_t, 2> open{};  ///< far, on paper and on ink
   };
   /// `above`: the pixels of row y - 1 at these points.
@@ -38,7 +39,7 @@ class StartModel {
   template <class Coder>
   std::uint64_t code_open(Coder& coder, std::uint64_t mask, bool ink,
                           std::uint64_t starts) {
-    entropy::Counter& counter = open_[open_context(mask, ink)];
+    entropy::Counter& counter = flags_[open_context(mask, ink)];
     const bool any = coder.code((starts & mask) != 0, counter.p1_fine());
     counter.update(any);
     if (!any) return 0;
@@ -46,23 +47,39 @@ class StartModel {
     return code_index(coder, mask, starts & mask);
   }
 
-  /// Whether the candidate at (x, y) is a start.
+  /// Whether one of the near candidates `mask` (not 0) of the word at x is a
+  /// start, and which is the first: returns its bit or 0. `above`: the pixels
+  /// of the row before.
   template <class Coder>
-  bool code_near(Coder& coder, std::int32_t x, std::int32_t y, bool ink,
-                 bool start) {
-    entropy::Counter& gate = tight(x, y, ink);
-    if (gate.p < kRare && gate.n >= kRareAge) {
-      const bool bit = coder.code(start, gate.p + 2);
-      gate.update(bit);
-      return bit;
+  std::uint64_t code_near(Coder& coder, std::uint64_t mask, std::int32_t x,
+                          std::int32_t y, std::uint64_t above,
+                          std::uint64_t starts) {
+    entropy::Counter& counter = flags_[group_context(mask, above, x, y)];
+    const bool any = coder.code((starts & mask) != 0, counter.p1_fine());
+    counter.update(any);
+    if (!any) return 0;
+    ++row_near_;
+    for (;;) {
+      const std::uint64_t bit = std::bit_floor(mask);
+      mask &= ~bit;
+      if (mask == 0) return bit;  // one of them is
+      if (code_one(coder, bit, x, y, above, starts)) return bit;
     }
-    predict_near(x, y, ink);
-    const bool bit = coder.code(start, probability());
-    update_near(bit);
-    return bit;
+  }
+
+  /// Whether the near candidate `bit` of the word at x is a start.
+  template <class Coder>
+  bool code_one(Coder& coder, std::uint64_t bit, std::int32_t x, std::int32_t y,
+                std::uint64_t above, std::uint64_t starts) {
+    predict_near(x + std::countl_zero(bit), y, (above & bit) != 0);
+    const bool start = coder.code((starts & bit) != 0, probability());
+    update_near(start);
+    return start;
   }
 
   static constexpr std::size_t kContexts = 3;
+  static constexpr std::size_t kOpenFlags = 2 * 4 * 4 * 4;
+  static constexpr std::size_t kFlags = kOpenFlags + 8 * 5 * 3 * 2;
 
   /// log2 of a context's counters: the first is indexed by the cracks
   /// themselves, the others by a hash.
@@ -74,7 +91,9 @@ class StartModel {
   }
 
   /// What was learned, for training a warm start.
-  [[nodiscard]] std::span<const entropy::Counter> open() const { return open_; }
+  [[nodiscard]] std::span<const entropy::Counter> flags() const {
+    return flags_;
+  }
   [[nodiscard]] std::span<const entropy::Counter> near(
       std::size_t context) const {
     return {near_.data() + near_first(context),
@@ -83,10 +102,6 @@ class StartModel {
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
-  /// Below this of 65536 the tight context alone is used: 4 flags of 5.
-  static constexpr int kRare = 100;
-  static constexpr int kRareAge = 16;  ///< observations before it may
-
   /// One of the set bits of `mask`, uniformly; `starts` holds the first.
   template <class Coder>
   static std::uint64_t code_index(Coder& coder, std::uint64_t mask,
@@ -106,16 +121,18 @@ class StartModel {
 
   [[nodiscard]] std::size_t open_context(std::uint64_t mask, bool ink) const;
   void note_start(bool ink);
-  entropy::Counter& tight(std::int32_t x, std::int32_t y, bool ink);
+  [[nodiscard]] std::size_t group_context(std::uint64_t mask,
+                                          std::uint64_t above, std::int32_t x,
+                                          std::int32_t y) const;
   void predict_near(std::int32_t x, std::int32_t y, bool ink);
   int probability();
   void update_near(bool bit);
 
   const CrackMap& cracks_;
-  std::array<entropy::Counter, 2 * 4 * 4 * 4> open_;
+  std::array<entropy::Counter, kFlags> flags_;
   std::array<unsigned, 2> row_starts_{};  ///< open starts in this row
   std::array<unsigned, 2> recent_{};      ///< decayed over the rows
-  std::uint64_t row_ = 0, north_ = 0, south_ = 0, above_ = 0, below_ = 0;
+  unsigned row_near_ = 0;                 ///< near starts in this row
   std::vector<entropy::Counter> near_;
   std::array<entropy::Counter*, kContexts> active_{};
   entropy::Mixer<8, 1> mixer_;

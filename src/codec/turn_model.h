@@ -9,8 +9,10 @@
 #include "codec/crack_map.h"
 #include "codec/dss_state.h"
 #include "codec/match_model.h"
+#include "codec/patch.h"
 #include "entropy/counter.h"
 #include "entropy/mixer.h"
+#include "entropy/slots.h"
 
 namespace unstep::codec {
 
@@ -24,8 +26,9 @@ using trace::turned;
 /// the same object in step; everything is integer.
 class TurnModel {
  public:
-  static constexpr std::size_t kContexts = 15;
-  static constexpr std::size_t kInputs = 32;
+  static constexpr std::size_t kContexts = 12;
+  using Slots = entropy::ContextSlots<kContexts>;
+  static constexpr std::size_t kInputs = Slots::kInputs;
 
   /// A gate is one counter that decides whether a bend is so unlikely that it
   /// is coded with this counter alone: 2 of 5 steps of a technical drawing.
@@ -42,12 +45,21 @@ class TurnModel {
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(int table_bits);
 
-  /// A contour starts at a point and goes east. `ink`: ink is on the right.
-  void begin(CrackMap::Address point, bool ink);
+  /// A contour starts at a point (its address in the planes and in the flipped
+  /// plane) and goes east. `ink`: ink is on the right.
+  void begin(CrackMap::Address point, CrackMap::Address flipped, bool ink);
 
-  /// The walk has taken a step along `direction` (the crack is marked) and
-  /// stands at the next point; codes the turn made there. `allowed` has bit t
-  /// set for each turn t that is possible; at least two are.
+  /// The walk has taken a step (the crack is marked) and stands at the next
+  /// point: looks at the cracks around it. Returns the turns that lead along
+  /// unknown cracks, bit t for turn t.
+  unsigned arrive() {
+    around_ = patch::at(cracks_, point_, direction_);
+    const unsigned ways = patch::ways(around_);
+    return ~ways & 7U;
+  }
+
+  /// Codes the turn made there. `allowed`: those that are possible, at least
+  /// two.
   template <class Coder>
   Turn code(Coder& coder, Turn turn, unsigned allowed) {
     entropy::Counter& gate = find_gate();
@@ -59,18 +71,20 @@ class TurnModel {
       allowed &= ~1U;
     }
     look_around();
-    learn();
-    recall();
+    slots_.learn(
+        [this](std::size_t node, bool bit) { mixer_.update(bit, node); });
+    slots_.recall();
+    selectors_ = next_selectors_;
     if ((allowed & 1U << kStraight) != 0) {
       const bool bends = coder.code(turn != kStraight, probability(kBends));
       gate.update(bends);
-      pending_[kBends] = bends ? Pending::one : Pending::zero;
+      slots_.note(kBends, bends);
       if (!bends) return kStraight;
     }
     if ((allowed & 1U << kLeft) == 0) return kRight;
     if ((allowed & 1U << kRight) == 0) return kLeft;
     const bool right = coder.code(turn == kRight, probability(kToRight));
-    pending_[kToRight] = right ? Pending::one : Pending::zero;
+    slots_.note(kToRight, right);
     return right ? kRight : kLeft;
   }
 
@@ -78,81 +92,59 @@ class TurnModel {
   /// after it.
   void advance(Turn turn);
 
-  /// One context's memory: a counter for each of the two binary decisions
-  /// that make a turn.
-  struct Slot {
-    std::array<std::uint16_t, 2> p;
-    std::array<std::uint8_t, 2> n;
-    std::uint16_t check;
-  };
-
   /// What was learned, for training a warm start.
-  [[nodiscard]] std::span<const Slot> slots(std::size_t context) const {
-    return {slots_.data() + first_[context], std::size_t{1} << bits_[context]};
-  }
+  [[nodiscard]] const Slots& slots() const { return slots_; }
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
   /// The two binary decisions that make a turn.
   enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
-  enum class Pending : std::uint8_t { none, zero, one };
 
   struct Sight {  ///< the nearest parallel crack on one side
     unsigned distance = 0;
     unsigned shape = 0;
   };
-
-  // The order hides the latency of the slots: look_around() asks for the
-  // next ones, learn() works on those of the last turn, recall() reads.
-  entropy::Counter& find_gate();
-  void look_around();
-  void learn();
-  void recall();
-  int probability(Node node);
-  [[nodiscard]] Sight look(int side) const;
-  [[nodiscard]] unsigned shape(CrackMap::Address point) const;
-  void set_context(std::size_t i, std::uint64_t value);
-
-  const CrackMap& cracks_;
-  std::vector<Slot> slots_;
-  std::vector<entropy::Counter> gates_;
-  std::uint64_t around_ = 0;
-  std::array<std::size_t, kContexts> first_{};  ///< each context's slots
-  std::array<int, kContexts> bits_{};
-  entropy::Mixer<kInputs, 3, 2> mixer_;
-
-  // Where the walk is.
-  CrackMap::Address point_ = 0;
-  Quarter direction_ = 0;
-  bool ink_ = false;
-
-  // What it did.
-  std::uint64_t history_ = 0;            ///< two bits a turn, latest lowest
-  std::array<std::uint32_t, 4> runs_{};  ///< steps since the last turns
-  std::array<std::uint8_t, 3> turns_{};  ///< the last bends
-  std::uint32_t steps_ = 0;
   struct Trail {
     std::int32_t x, y;
     std::int64_t area;
   };
+
+  entropy::Counter& find_gate();
+  void look_around();
+  int probability(Node node);
+  [[nodiscard]] std::array<Sight, 2> look() const;
+  [[nodiscard]] unsigned shape(CrackMap::Address point) const;
+  [[nodiscard]] std::uint64_t chord(std::uint32_t n) const;
+  [[nodiscard]] unsigned bulge(std::uint32_t n) const;
+  [[nodiscard]] const Trail& trail(std::uint32_t n) const {
+    return trail_[(steps_ - n) % trail_.size()];
+  }
+
+  const CrackMap& cracks_;
+  Slots slots_;
+  std::vector<entropy::Counter> gates_;
+  entropy::Counter* gate_ = nullptr;
+  std::uint64_t around_ = 0;
+  entropy::Mixer<kInputs, 3, 2> mixer_;
+
+  // Where the walk is.
+  CrackMap::Address point_ = 0;
+  CrackMap::Address flipped_ = 0;
+  Quarter direction_ = 0;
+  bool ink_ = false;
+
+  // What it did.
+  std::uint64_t history_ = 0;  ///< two bits a turn, latest lowest
+  std::uint32_t runs_ = 0;     ///< steps since the last four turns, 8 bits each
+  unsigned bends_ = 0;         ///< the last bends, two bits each
+  std::uint32_t steps_ = 0;
   std::array<Trail, 128> trail_{};  ///< the last positions, by steps_ % 128
   Trail here_{};
   DssState dss_;
   MatchModel match_;
 
-  // The slots asked for, and the prediction in progress or not yet learned.
-  std::array<Slot*, kContexts> next_{};
-  std::array<std::uint16_t, kContexts> checks_{};
   std::array<std::size_t, 3> next_selectors_{};
-  std::array<Slot*, kContexts> active_{};
   std::array<std::size_t, 3> selectors_{};
-  /// One node's counters side by side, for vector code.
-  struct Counters {
-    alignas(16) std::array<std::uint16_t, 16> p{};
-    alignas(16) std::array<std::uint16_t, 16> rate{};
-  };
-  std::array<Counters, 2> counters_{};
-  std::array<Pending, 2> pending_{};
 };
 
 }  // namespace unstep::codec

@@ -12,10 +12,10 @@
 namespace unstep::codec::warm {
 
 inline constexpr std::uint8_t kTableId = 1;
-inline constexpr std::size_t kTurnContexts = 15;
+inline constexpr std::size_t kTurnContexts = 12;
 inline constexpr std::size_t kStartContexts = 3;
 inline constexpr std::size_t kContexts = kTurnContexts + kStartContexts;
-inline constexpr std::size_t kOpenContexts = 128;
+inline constexpr std::size_t kFlags = 368;
 
 /// How a slot starts. Eight characters of the table, six bits each, hold
 /// index 16, check 12, two stretches 6 + 6, two ages 4 + 4.
@@ -49,7 +49,7 @@ extern const std::array<std::uint16_t, kContexts> kCounts;
 extern const std::string_view kRecords;
 extern const std::array<std::array<std::int16_t, 32>, 2> kTurnWeights;
 extern const std::array<std::array<std::int16_t, 8>, 1> kStartWeights;
-extern const std::array<std::array<std::uint16_t, 2>, kOpenContexts> kOpen;
+extern const std::array<std::array<std::uint16_t, 2>, kFlags> kFlagStart;
 
 template <class Apply>
 void for_each(std::size_t context, Apply apply) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,83 +15,91 @@
 
 namespace unstep::entropy {
 
-/// Sums of products and weight updates over N int16 inputs. Weights are int32
-/// with 24 fractional bits; the product uses their upper 16 bits (12
-/// fractional). Sums wrap modulo 2^32 in both forms, so the SSE2 form and the
-/// portable one (the reference) give the same bits always.
-/// REQUIRES: n is a multiple of 8.
+/// Sums of products and weight updates over n int16 inputs. Weights are int16
+/// with 14 fractional bits. Sums wrap modulo 2^32 and weights stay within
+/// int16 in both forms, so the SSE2 form and the portable one (the reference)
+/// give the same bits always.
+/// REQUIRES: n is a multiple of 8; |x[i]| <= 4095.
 namespace mixing {
 
-inline std::int32_t dot_reference(const std::int16_t* x, const std::int32_t* w,
+inline std::int32_t dot_reference(const std::int16_t* x, const std::int16_t* w,
                                   std::size_t n) {
   std::uint32_t sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    std::int32_t w16 = w[i] >> 12;
-    w16 = w16 > 32767 ? 32767 : w16 < -32768 ? -32768 : w16;
-    sum += static_cast<std::uint32_t>(x[i] * w16);
+    sum += static_cast<std::uint32_t>(x[i] * w[i]);
   }
   return static_cast<std::int32_t>(sum);
 }
 
-inline void train_reference(const std::int16_t* x, std::int32_t* w,
+inline void train_reference(const std::int16_t* x, std::int16_t* w,
                             std::size_t n, std::int16_t error) {
   for (std::size_t i = 0; i < n; ++i) {
-    w[i] = static_cast<std::int32_t>(
-        static_cast<std::uint32_t>(w[i]) +
-        static_cast<std::uint32_t>((x[i] * error) >> 4));
+    const int change = ((x[i] * 8 * error >> 16) + 1) >> 1;
+    w[i] = static_cast<std::int16_t>(std::clamp(w[i] + change, -32768, 32767));
   }
 }
 
 #if defined(__SSE2__)
 
-inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w,
-                        std::size_t n) {
+template <std::size_t n>
+inline std::int32_t dot(const std::int16_t* x, const std::int16_t* w) {
   __m128i sum = _mm_setzero_si128();
+#pragma GCC unroll 8
   for (std::size_t i = 0; i < n; i += 8) {
-    const auto* wp = reinterpret_cast<const __m128i*>(w + i);
-    const __m128i w16 =
-        _mm_packs_epi32(_mm_srai_epi32(_mm_loadu_si128(wp), 12),
-                        _mm_srai_epi32(_mm_loadu_si128(wp + 1), 12));
-    const __m128i x16 =
-        _mm_loadu_si128(reinterpret_cast<const __m128i*>(x + i));
-    sum = _mm_add_epi32(sum, _mm_madd_epi16(x16, w16));
+    sum = _mm_add_epi32(
+        sum, _mm_madd_epi16(
+                 _mm_loadu_si128(reinterpret_cast<const __m128i*>(x + i)),
+                 _mm_loadu_si128(reinterpret_cast<const __m128i*>(w + i))));
   }
   sum = _mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0x4e));
   sum = _mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0xb1));
   return _mm_cvtsi128_si32(sum);
 }
 
-inline void train(const std::int16_t* x, std::int32_t* w, std::size_t n,
-                  std::int16_t error) {
+template <std::size_t n>
+inline void train(const std::int16_t* x, std::int16_t* w, std::int16_t error) {
   const __m128i e16 = _mm_set1_epi16(error);
+  const __m128i one = _mm_set1_epi16(1);
+#pragma GCC unroll 8
   for (std::size_t i = 0; i < n; i += 8) {
     auto* wp = reinterpret_cast<__m128i*>(w + i);
-    const __m128i x16 =
-        _mm_loadu_si128(reinterpret_cast<const __m128i*>(x + i));
-    const __m128i low = _mm_mullo_epi16(x16, e16);
-    const __m128i high = _mm_mulhi_epi16(x16, e16);
-    const __m128i d0 = _mm_srai_epi32(_mm_unpacklo_epi16(low, high), 4);
-    const __m128i d1 = _mm_srai_epi32(_mm_unpackhi_epi16(low, high), 4);
-    _mm_storeu_si128(wp, _mm_add_epi32(_mm_loadu_si128(wp), d0));
-    _mm_storeu_si128(wp + 1, _mm_add_epi32(_mm_loadu_si128(wp + 1), d1));
+    const __m128i x16 = _mm_slli_epi16(
+        _mm_loadu_si128(reinterpret_cast<const __m128i*>(x + i)), 3);
+    const __m128i change =
+        _mm_srai_epi16(_mm_add_epi16(_mm_mulhi_epi16(x16, e16), one), 1);
+    _mm_storeu_si128(wp, _mm_adds_epi16(_mm_loadu_si128(wp), change));
   }
 }
 
 #else
 
-inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w,
-                        std::size_t n) {
+template <std::size_t n>
+inline std::int32_t dot(const std::int16_t* x, const std::int16_t* w) {
   return dot_reference(x, w, n);
 }
 
-inline void train(const std::int16_t* x, std::int32_t* w, std::size_t n,
-                  std::int16_t error) {
+template <std::size_t n>
+inline void train(const std::int16_t* x, std::int16_t* w, std::int16_t error) {
   train_reference(x, w, n, error);
 }
 
 #endif
 
 }  // namespace mixing
+
+namespace detail {
+
+/// rate = learning rate * 2^16, by how often a vector has learned / 64.
+constexpr std::array<std::int16_t, 938> make_mixer_rates(int start, int end) {
+  std::array<std::int16_t, 938> rates{};
+  for (int k = 0; k < 938; ++k) {
+    rates[static_cast<std::size_t>(k)] =
+        static_cast<std::int16_t>(end + (start - end) * 16 / (16 + k));
+  }
+  return rates;
+}
+
+}  // namespace detail
 
 /// Gated logistic mixing (M. Mahoney, PAQ; C. Mattern 2016): kSets weight
 /// vectors, each picked by its own selector and trained on its own error; the
@@ -115,16 +124,17 @@ class Mixer {
       weights_[s].reserve(selectors[s] * kInputs);
       for (std::size_t k = 0; k < selectors[s]; ++k) {
         for (const std::int16_t w : initial[k % initial.size()]) {
-          weights_[s].push_back(w * 4096);
+          weights_[s].push_back(
+              static_cast<std::int16_t>(std::clamp(w * 4, -32768, 32767)));
         }
       }
       ages_[s].resize(selectors[s]);
     }
   }
 
-  /// What was learned, for training a warm start: vector k of set s, 24
+  /// What was learned, for training a warm start: vector k of set s, 14
   /// fractional bits, and how many bits it has seen.
-  [[nodiscard]] std::span<const std::int32_t> weights(std::size_t s,
+  [[nodiscard]] std::span<const std::int16_t> weights(std::size_t s,
                                                       std::size_t k) const {
     return {weights_[s].data() + k * kInputs, kInputs};
   }
@@ -143,9 +153,9 @@ class Mixer {
     l.chosen = chosen;
     std::int32_t total = 0;
     for (std::size_t s = 0; s < kSets; ++s) {
-      const std::int32_t sum = mixing::dot(
-          l.inputs.data(), weights_[s].data() + chosen[s] * kInputs, kInputs);
-      l.outputs[s] = clamp_stretch(sum >> 12);
+      const std::int32_t sum = mixing::dot<kInputs>(
+          l.inputs.data(), weights_[s].data() + chosen[s] * kInputs);
+      l.outputs[s] = clamp_stretch(sum >> 14);
       total += l.outputs[s];
     }
     return total / static_cast<int>(kSets);
@@ -157,17 +167,18 @@ class Mixer {
     for (std::size_t s = 0; s < kSets; ++s) {
       std::uint16_t& age = ages_[s][l.chosen[s]];
       const int error = (bit ? 65536 : 0) - squash(l.outputs[s]);
-      // rate = learning rate * 2^16; 65536 * 2047 fits int32, the result
-      // int16 (< 65536 * 2047 / 4096 = 32752).
-      const int rate = kRateEnd + (kRateStart - kRateEnd) * 1024 / (1024 + age);
+      // 65536 * 2047 fits int32, the result int16 (< 65536 * 2047 / 4096).
+      const int rate = kRates[age / 64];
       if (age < 60000) ++age;
-      mixing::train(l.inputs.data(), weights_[s].data() + l.chosen[s] * kInputs,
-                    kInputs, static_cast<std::int16_t>((error * rate) >> 12));
+      mixing::train<kInputs>(l.inputs.data(),
+                             weights_[s].data() + l.chosen[s] * kInputs,
+                             static_cast<std::int16_t>((error * rate) >> 12));
     }
   }
 
   static constexpr int kRateStart = 1800;  ///< 0.027
   static constexpr int kRateEnd = 350;     ///< 0.005
+  static constexpr auto kRates = detail::make_mixer_rates(kRateStart, kRateEnd);
 
  private:
   static int clamp_stretch(int x) {
@@ -180,7 +191,7 @@ class Mixer {
     std::array<int, kSets> outputs{};
   };
   std::array<Lane, kLanes> lanes_;
-  std::array<std::vector<std::int32_t>, kSets> weights_;
+  std::array<std::vector<std::int16_t>, kSets> weights_;
   std::array<std::vector<std::uint16_t>, kSets> ages_;
 };
 

@@ -61,7 +61,7 @@ void add(Sum& sum, std::size_t node, std::uint16_t p, std::uint8_t n) {
 
 struct Trainer {
   std::array<Sums, warm::kContexts> sums;
-  std::array<std::array<double, 2>, warm::kOpenContexts> open{};
+  std::array<std::array<double, 2>, warm::kFlags> open{};
   std::array<std::array<double, 32>, 2> turn_weights{};
   std::array<double, 2> turn_votes{};
   std::array<double, 8> start_weights{};
@@ -70,7 +70,7 @@ struct Trainer {
 
   void learn(const TurnModel& turns, const StartModel& starts) {
     for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
-      const auto slots = turns.slots(i);
+      const auto slots = turns.slots().slots(i);
       for (std::size_t k = 0; k < slots.size(); ++k) {
         const auto& slot = slots[k];
         if (slot.n[0] == 0 && slot.n[1] == 0) continue;
@@ -90,8 +90,8 @@ struct Trainer {
             0, counters[k].p, counters[k].n);
       }
     }
-    for (std::size_t i = 0; i < warm::kOpenContexts; ++i) {
-      const auto& counter = starts.open()[i];
+    for (std::size_t i = 0; i < warm::kFlags; ++i) {
+      const auto& counter = starts.flags()[i];
       open[i][0] += counter.p / 65536.0 * counter.n;
       open[i][1] += counter.n;
     }
@@ -154,12 +154,12 @@ void write_weights(std::FILE* out, const std::array<double, kSize>& sums,
                    double votes) {
   std::fprintf(out, "    {");
   for (std::size_t i = 0; i < kSize; ++i) {
-    const double w = votes > 0 ? sums[i] / votes / 4096 : 0;
+    const double w = votes > 0 ? sums[i] / votes / 4 : 0;
     std::fprintf(out, "%s%ld",
                  i == 0        ? ""
                  : i % 10 == 0 ? ",\n     "
                                : ", ",
-                 std::lround(std::clamp(w, -32000.0, 32000.0)));
+                 std::lround(std::clamp(w, -8191.0, 8191.0)));
   }
   std::fprintf(out, "},\n");
 }
@@ -167,12 +167,13 @@ void write_weights(std::FILE* out, const std::array<double, kSize>& sums,
 /// The empty table: nothing known, equal weights.
 void Trainer::forget() {
   forgotten = true;
-  for (auto& counter : open) counter = {0.041035, 0};  // 2000 / 65536
+  for (auto& counter : open) counter = {0, 0};
   for (auto& weights : turn_weights) {
-    for (std::size_t i = 0; i < 31; ++i) weights[i] = i == 15 ? 0 : 410 * 4096;
+    for (std::size_t i = 0; i < 32; ++i)
+      weights[i] = i % 16 >= 12 ? 0 : 410 * 4;
   }
   turn_votes = {1, 1};
-  for (std::size_t i = 0; i < 3; ++i) start_weights[i] = 1638 * 4096;
+  for (std::size_t i = 0; i < 3; ++i) start_weights[i] = 1638 * 4;
   start_votes = 1;
 }
 
@@ -220,12 +221,13 @@ void Trainer::write(std::FILE* out) const {
   write_weights(out, start_weights, start_votes);
   std::fprintf(out,
                "}};\n\nconst std::array<std::array<std::uint16_t, 2>, "
-               "kOpenContexts> kOpen = {{\n");
-  for (std::size_t i = 0; i < warm::kOpenContexts; ++i) {
+               "kFlags> kFlagStart = {{\n");
+  for (std::size_t i = 0; i < warm::kFlags; ++i) {
     const double n = open[i][1];
     const double p = (open[i][0] + 0.02) / (n + 2);
-    const long value = keep ? warm::kOpen[i][0] : std::lround(p * 65536);
-    const long age = keep ? warm::kOpen[i][1] : std::lround(std::min(n, 20.0));
+    const long value = keep ? warm::kFlagStart[i][0] : std::lround(p * 65536);
+    const long age =
+        keep ? warm::kFlagStart[i][1] : std::lround(std::min(n, 20.0));
     std::fprintf(out, "    {%ld, %ld},%s", std::clamp(value, 2L, 60000L), age,
                  i % 4 == 3 ? "\n" : "");
   }
