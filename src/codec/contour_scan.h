@@ -35,7 +35,7 @@ class ContourScan {
 
   Status run(const BlockProgress& progress) {
     for (std::int32_t y = 0; y < cracks_.height(); ++y) {
-      starts_.begin_row();
+      starts_.begin_row(y);
       const auto words = static_cast<std::int32_t>(above_.size());
       for (std::int32_t word = 0; word < words; ++word) {
         if (!scan_word(y, word)) {
@@ -69,8 +69,9 @@ class ContourScan {
         const std::uint64_t mask =
             found.open[static_cast<std::size_t>(ink)] & ~excluded;
         if (mask == 0) break;
-        const std::uint64_t bit = starts_.code_open(
-            side_.coder(), mask, ink != 0, side_.starts(y, word, cracks_));
+        const std::uint64_t bit =
+            starts_.code_open(side_.coder(), mask, word, ink != 0,
+                              side_.starts(y, word, cracks_));
         excluded |= bit == 0 ? mask : 0;
         if (bit == 0) break;
         if (!walk(word * 64 + std::countl_zero(bit), y, ink == 0)) return false;

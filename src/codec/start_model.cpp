@@ -25,6 +25,9 @@ StartModel::StartModel(const CrackMap& cracks)
       mixer_({64}, warm::kStartWeights) {
   static_assert(kContexts == warm::kStartContexts);
   static_assert(kFlags == warm::kFlags);
+  for (auto& columns : columns_) {
+    columns.resize((static_cast<std::size_t>(cracks.width()) + 63) / 64 + 2);
+  }
   for (std::size_t i = 0; i < kFlags; ++i) {
     flags_[i] = {warm::kFlagStart[i][0],
                  static_cast<std::uint8_t>(warm::kFlagStart[i][1])};
@@ -69,7 +72,9 @@ StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
           {possible & ~near & ~above, possible & ~near & above}};
 }
 
-void StartModel::begin_row() {
+void StartModel::begin_row(std::int32_t y) {
+  y_ = y;
+  row_last_.fill(-128);
   for (std::size_t i = 0; i < 2; ++i) {
     recent_[i] =
         recent_[i] - recent_[i] / 4 + std::min(row_starts_[i], 64U) * 16;
@@ -78,17 +83,24 @@ void StartModel::begin_row() {
   row_near_ = 0;
 }
 
-std::size_t StartModel::open_context(std::uint64_t mask, bool ink) const {
+std::size_t StartModel::open_context(std::uint64_t mask, std::int32_t word,
+                                     bool ink) const {
   const std::size_t i = ink ? 1 : 0;
   const int count = std::popcount(mask);
   const std::size_t size = count > 40 ? 3 : count > 16 ? 2 : count > 5 ? 1 : 0;
   const std::size_t row = std::min(row_starts_[i], 3U);
   const unsigned r = recent_[i];
   const std::size_t recent = r > 64 ? 3 : r > 16 ? 2 : r > 3 ? 1 : 0;
-  return ((i * 4 + size) * 4 + row) * 4 + recent;
+  const Column* here = &columns_[i][static_cast<std::size_t>(word) + 1];
+  const std::size_t age =
+      std::min({age_level(here[-1]), age_level(here[0]), age_level(here[1])});
+  return (((i * 4 + size) * 4 + row) * 4 + recent) * 8 + age;
 }
 
-void StartModel::note_start(bool ink) { ++row_starts_[ink ? 1 : 0]; }
+std::size_t StartModel::age_level(const Column& column) const {
+  const auto age = static_cast<unsigned>(y_ - column.y);
+  return std::min<std::size_t>(std::bit_width(age / 2), 7);
+}
 
 std::size_t StartModel::group_context(std::uint64_t mask, std::uint64_t above,
                                       std::int32_t x, std::int32_t y) const {

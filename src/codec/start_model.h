@@ -32,19 +32,24 @@ class StartModel {
                                       std::uint64_t above,
                                       std::uint64_t used) const;
 
-  void begin_row();
+  void begin_row(std::int32_t y);
 
   /// Whether one of the open candidates `mask` (not 0) is a start, and which:
   /// returns its bit or 0. `starts`: the true starts (encoder only).
   template <class Coder>
-  std::uint64_t code_open(Coder& coder, std::uint64_t mask, bool ink,
-                          std::uint64_t starts) {
-    entropy::Counter& counter = flags_[open_context(mask, ink)];
+  std::uint64_t code_open(Coder& coder, std::uint64_t mask, std::int32_t word,
+                          bool ink, std::uint64_t starts) {
+    Column& column = columns_[ink ? 1 : 0][static_cast<std::size_t>(word) + 1];
+    entropy::Counter& counter = flags_[open_context(mask, word, ink)];
     const bool any = coder.code((starts & mask) != 0, counter.p1_fine());
     counter.update(any);
     if (!any) return 0;
-    note_start(ink);
-    return code_index(coder, mask, starts & mask);
+    ++row_starts_[ink ? 1 : 0];
+    const std::uint64_t bit =
+        code_place(coder, mask, starts & mask, word * 64, column, ink);
+    row_last_[ink ? 1 : 0] = word * 64 + std::countl_zero(bit);
+    column = {y_, bit};
+    return bit;
   }
 
   /// Whether one of the near candidates `mask` (not 0) of the word at x is a
@@ -78,8 +83,8 @@ class StartModel {
   }
 
   static constexpr std::size_t kContexts = 3;
-  static constexpr std::size_t kOpenFlags = 2 * 4 * 4 * 4;
-  static constexpr std::size_t kFlags = kOpenFlags + 8 * 5 * 3 * 2;
+  static constexpr std::size_t kOpenFlags = 2 * 4 * 4 * 4 * 8;
+  static constexpr std::size_t kFlags = kOpenFlags + 8 * 5 * 3 * 2 + 16;
 
   /// log2 of a context's counters: the first is indexed by the cracks
   /// themselves, the others by a hash.
@@ -102,25 +107,73 @@ class StartModel {
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
-  /// One of the set bits of `mask`, uniformly; `starts` holds the first.
+  /// The last far start among the points of a word.
+  struct Column {
+    std::int32_t y = -(1 << 20);
+    std::uint64_t bit = 0;
+  };
+
+  /// Which of `mask` is a start: the place of the last one in these columns,
+  /// or any.
+  template <class Coder>
+  std::uint64_t code_place(Coder& coder, std::uint64_t mask,
+                           std::uint64_t starts, std::int32_t x,
+                           const Column& column, bool ink) {
+    if ((mask & column.bit) != 0 && mask != column.bit) {
+      entropy::Counter& counter =
+          flags_[kFlags - 16 + (ink ? 8 : 0) + age_level(column)];
+      const bool same =
+          coder.code(std::bit_floor(starts) == column.bit, counter.p1());
+      counter.update(same);
+      if (same) return column.bit;
+      mask &= ~column.bit;
+    }
+    // Far starts keep their distances: to the last one in this row, else to
+    // the last one in these columns.
+    const std::int32_t gap = x - row_last_[ink ? 1 : 0];
+    const bool row = gap < 128;
+    const auto anchor = static_cast<unsigned>(
+        row ? row_last_[ink ? 1 : 0] & 63 : std::countl_zero(column.bit) & 63);
+    const std::size_t kind = !row ? 2 : gap < 64 ? 1 : 0;
+    return code_index(coder, mask, std::bit_floor(starts), anchor,
+                      places_[ink ? 1 : 0][kind]);
+  }
+  /// 0..7: how many rows ago the last start was, an octave apart.
+  [[nodiscard]] std::size_t age_level(const Column& column) const;
+
+  using Places = std::array<entropy::Counter, 64>;
+
+  /// One of the set bits of `mask`, by halves of the distance from `anchor`;
+  /// `start` holds the right one.
   template <class Coder>
   static std::uint64_t code_index(Coder& coder, std::uint64_t mask,
-                                  std::uint64_t starts) {
-    // Halve the candidate set until one is left: p = share of the upper part.
-    while (std::popcount(mask) > 1) {
-      const int count = std::popcount(mask);
-      std::uint64_t upper = mask;
-      for (int i = 0; i < count - count / 2; ++i) upper &= upper - 1;
-      // upper now holds the count / 2 highest (first) candidates.
-      const bool first =
-          coder.code((starts & upper) != 0, 65536 * (count / 2) / count);
-      mask = first ? upper : mask & ~upper;
+                                  std::uint64_t start, unsigned anchor,
+                                  Places& places) {
+    mask = std::rotl(mask, static_cast<int>(anchor));
+    start = std::rotl(start, static_cast<int>(anchor));
+    std::uint64_t range = ~std::uint64_t{0};
+    std::size_t node = 1;
+    for (unsigned half = 32; half > 0; half /= 2) {
+      const std::uint64_t first = range & ~(range >> half);
+      bool second = (mask & first) == 0;
+      if (!second && (mask & range & ~first) != 0) {
+        entropy::Counter& counter = places[node];
+        const int all = std::popcount(mask & range);
+        const int later = std::popcount(mask & range & ~first);
+        if (counter.n == 0) {
+          counter = {static_cast<std::uint16_t>(65536 * later / all), 12};
+        }
+        second = coder.code((start & first) == 0, counter.p1());
+        counter.update(second);
+      }
+      range &= second ? ~first : first;
+      node = node * 2 + (second ? 1 : 0);
     }
-    return mask;
+    return std::rotr(mask & range, static_cast<int>(anchor));
   }
 
-  [[nodiscard]] std::size_t open_context(std::uint64_t mask, bool ink) const;
-  void note_start(bool ink);
+  [[nodiscard]] std::size_t open_context(std::uint64_t mask, std::int32_t word,
+                                         bool ink) const;
   [[nodiscard]] std::size_t group_context(std::uint64_t mask,
                                           std::uint64_t above, std::int32_t x,
                                           std::int32_t y) const;
@@ -132,7 +185,11 @@ class StartModel {
   std::array<entropy::Counter, kFlags> flags_;
   std::array<unsigned, 2> row_starts_{};  ///< open starts in this row
   std::array<unsigned, 2> recent_{};      ///< decayed over the rows
-  unsigned row_near_ = 0;                 ///< near starts in this row
+  std::array<std::vector<Column>, 2> columns_;
+  std::int32_t y_ = 0;
+  std::array<std::int32_t, 2> row_last_{};
+  std::array<std::array<Places, 3>, 2> places_{};
+  unsigned row_near_ = 0;  ///< near starts in this row
   std::vector<entropy::Counter> near_;
   std::array<entropy::Counter*, kContexts> active_{};
   entropy::Mixer<8, 1> mixer_;
