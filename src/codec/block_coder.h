@@ -39,7 +39,7 @@ using BlockProgress = std::function<bool(std::uint64_t done)>;
 
 /// Encodes rows [first_row, first_row + rows) of `ink`.
 Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
-                                std::int32_t rows,
+                                std::int32_t rows, Effort effort,
                                 const BlockProgress& progress);
 
 /// Decodes into those rows of `ink`, which must be all paper. Every payload

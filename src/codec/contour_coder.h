@@ -10,45 +10,64 @@
 namespace unstep::codec {
 
 class StartModel;
-class TurnModel;
+template <std::size_t kCount>
+class MixedTurnModel;
 
-inline constexpr std::uint8_t kContourRevision = 0;
+/// The models of turns, by effort; they are the revisions of coder 1.
+inline constexpr std::uint8_t kContourStandard = 0;
+inline constexpr std::uint8_t kContourMax = 1;
+inline constexpr std::uint8_t kContourFast = 2;
+
+[[nodiscard]] constexpr std::uint8_t contour_revision(Effort effort) {
+  return effort == Effort::fast  ? kContourFast
+         : effort == Effort::max ? kContourMax
+                                 : kContourStandard;
+}
+[[nodiscard]] constexpr bool is_contour_revision(std::uint8_t revision) {
+  return revision <= kContourFast;
+}
 
 /// log2 of the model's slots per context, a rule of the size only, so that it
 /// need not be stored. Larger pages have more contexts to remember; beyond
 /// 24 Mpx the cracks need the memory more (a 35 Mpx page stays under 25 MB).
-[[nodiscard]] constexpr int contour_table_bits(std::int32_t width,
+[[nodiscard]] constexpr int contour_table_bits(std::uint8_t revision,
+                                               std::int32_t width,
                                                std::int32_t rows) {
   const std::int64_t pixels = std::int64_t{width} * rows;
+  if (revision == kContourMax) {
+    return pixels < 40'000 ? 14 : pixels < 2'000'000 ? 16 : 19;
+  }
   if (pixels < 40'000) return 12;
   if (pixels < 2'000'000) return 14;
-  return pixels <= 24'000'000 ? 16 : 15;
+  return pixels <= 24'000'000 ? 17 : 15;
 }
 
 /// Bytes that coding such a block allocates: the cracks and the models.
-[[nodiscard]] std::uint64_t contour_memory(std::int32_t width,
+[[nodiscard]] std::uint64_t contour_memory(std::uint8_t revision,
+                                           std::int32_t width,
                                            std::int32_t rows);
 
 Result<std::vector<std::uint8_t>> encode_contours(
     const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
-    const BlockProgress& progress);
+    std::uint8_t revision, const BlockProgress& progress);
 
 /// Decodes and compares with those rows of `ink`; internal if they differ.
 Status verify_contours(std::span<const std::uint8_t> payload, const Bitmap& ink,
                        std::int32_t first_row, std::int32_t rows,
-                       const DecodeLimits& limits,
+                       std::uint8_t revision, const DecodeLimits& limits,
                        const BlockProgress& progress);
 
-/// For training a warm start: encodes with the largest tables and shows the
-/// models as they are at the end.
-using ModelVisitor =
-    std::function<void(const TurnModel& turns, const StartModel& starts)>;
+/// For training a warm start: encodes with the standard model and tables of at
+/// least 2^16 slots, and shows the models as they are at the end.
+inline constexpr int kTrainingBits = 19;
+using ModelVisitor = std::function<void(const MixedTurnModel<12>& turns,
+                                        const StartModel& starts)>;
 Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
                                                   const ModelVisitor& visit);
 
 Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,
                        std::int32_t first_row, std::int32_t rows,
-                       const DecodeLimits& limits,
+                       std::uint8_t revision, const DecodeLimits& limits,
                        const BlockProgress& progress);
 
 }  // namespace unstep::codec

@@ -8,9 +8,14 @@
 
 namespace unstep::codec {
 
-std::uint64_t contour_memory(std::int32_t width, std::int32_t rows) {
-  return CrackMap::memory(width, rows) +
-         TurnModel::memory(contour_table_bits(width, rows)) + (1 << 20);
+std::uint64_t contour_memory(std::uint8_t revision, std::int32_t width,
+                             std::int32_t rows) {
+  const int bits = contour_table_bits(revision, width, rows);
+  const std::uint64_t model =
+      revision == kContourMax    ? MaxTurnModel::memory(bits)
+      : revision == kContourFast ? FastTurnModel::memory(bits)
+                                 : TurnModel::memory(bits);
+  return CrackMap::memory(width, rows) + model + (1 << 20);
 }
 
 namespace {
@@ -42,21 +47,12 @@ class DecoderSide {
   Sink sink_;
 };
 
-template <class Sink>
-Status decode_rows(std::span<const std::uint8_t> payload, std::int32_t width,
-                   std::int32_t rows, const DecodeLimits& limits,
+template <class Turns, class Sink>
+Status decode_with(std::span<const std::uint8_t> payload, std::int32_t width,
+                   std::int32_t rows, int table_bits,
                    const BlockProgress& progress, Sink sink) {
-  const std::uint64_t memory = contour_memory(width, rows);
-  if (memory > limits.max_memory) {
-    return Error{ErrorCode::limit_exceeded,
-                 "contours of " + std::to_string(width) + " x " +
-                     std::to_string(rows) + " pixels need " +
-                     std::to_string(memory) +
-                     " bytes, more than the memory limit"};
-  }
   DecoderSide<Sink> side(payload, std::move(sink));
-  ContourScan<DecoderSide<Sink>> scan(side, width, rows,
-                                      contour_table_bits(width, rows));
+  ContourScan<DecoderSide<Sink>, Turns> scan(side, width, rows, table_bits);
   Status status = scan.run(progress);
   if (!status) return status.error();
   if (!side.coder().finished()) {
@@ -66,13 +62,40 @@ Status decode_rows(std::span<const std::uint8_t> payload, std::int32_t width,
   return {};
 }
 
+template <class Sink>
+Status decode_rows(std::span<const std::uint8_t> payload, std::int32_t width,
+                   std::int32_t rows, std::uint8_t revision,
+                   const DecodeLimits& limits, const BlockProgress& progress,
+                   Sink sink) {
+  const std::uint64_t memory = contour_memory(revision, width, rows);
+  if (memory > limits.max_memory) {
+    return Error{ErrorCode::limit_exceeded,
+                 "contours of " + std::to_string(width) + " x " +
+                     std::to_string(rows) + " pixels need " +
+                     std::to_string(memory) +
+                     " bytes, more than the memory limit"};
+  }
+  const int bits = contour_table_bits(revision, width, rows);
+  switch (revision) {
+    case kContourMax:
+      return decode_with<MaxTurnModel>(payload, width, rows, bits, progress,
+                                       std::move(sink));
+    case kContourFast:
+      return decode_with<FastTurnModel>(payload, width, rows, bits, progress,
+                                        std::move(sink));
+    default:
+      return decode_with<TurnModel>(payload, width, rows, bits, progress,
+                                    std::move(sink));
+  }
+}
+
 }  // namespace
 
 Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,
                        std::int32_t first_row, std::int32_t rows,
-                       const DecodeLimits& limits,
+                       std::uint8_t revision, const DecodeLimits& limits,
                        const BlockProgress& progress) {
-  return decode_rows(payload, ink.width(), rows, limits, progress,
+  return decode_rows(payload, ink.width(), rows, revision, limits, progress,
                      [&](std::int32_t y, const auto& pixels) {
                        std::copy(pixels.begin(), pixels.end(),
                                  ink.row(first_row + y).begin());
@@ -81,11 +104,11 @@ Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,
 
 Status verify_contours(std::span<const std::uint8_t> payload, const Bitmap& ink,
                        std::int32_t first_row, std::int32_t rows,
-                       const DecodeLimits& limits,
+                       std::uint8_t revision, const DecodeLimits& limits,
                        const BlockProgress& progress) {
   std::int32_t differs = -1;
   Status decoded =
-      decode_rows(payload, ink.width(), rows, limits, progress,
+      decode_rows(payload, ink.width(), rows, revision, limits, progress,
                   [&](std::int32_t y, const auto& pixels) {
                     const auto truth = ink.row(first_row + y);
                     if (differs < 0 && !std::equal(pixels.begin(), pixels.end(),

@@ -55,23 +55,39 @@ class EncoderSide {
   entropy::ArithmeticEncoder coder_;
 };
 
-}  // namespace
-
-Result<std::vector<std::uint8_t>> encode_contours(
-    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
-    const BlockProgress& progress) {
+template <class Turns>
+Result<std::vector<std::uint8_t>> encode_with(const Bitmap& ink,
+                                              std::int32_t first_row,
+                                              std::int32_t rows, int table_bits,
+                                              const BlockProgress& progress) {
   EncoderSide side(ink, first_row, rows);
-  ContourScan<EncoderSide> scan(side, ink.width(), rows,
-                                contour_table_bits(ink.width(), rows));
+  ContourScan<EncoderSide, Turns> scan(side, ink.width(), rows, table_bits);
   Status status = scan.run(progress);
   if (!status) return status.error();
   return side.coder().finish();
 }
 
+}  // namespace
+
+Result<std::vector<std::uint8_t>> encode_contours(
+    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
+    std::uint8_t revision, const BlockProgress& progress) {
+  const int bits = contour_table_bits(revision, ink.width(), rows);
+  switch (revision) {
+    case kContourMax:
+      return encode_with<MaxTurnModel>(ink, first_row, rows, bits, progress);
+    case kContourFast:
+      return encode_with<FastTurnModel>(ink, first_row, rows, bits, progress);
+    default:
+      return encode_with<TurnModel>(ink, first_row, rows, bits, progress);
+  }
+}
+
 Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
                                                   const ModelVisitor& visit) {
   EncoderSide side(ink, 0, ink.height());
-  ContourScan<EncoderSide> scan(side, ink.width(), ink.height(), 16);
+  ContourScan<EncoderSide, TurnModel> scan(side, ink.width(), ink.height(),
+                                           kTrainingBits);
   Status status = scan.run({});
   if (!status) return status.error();
   visit(scan.turns(), scan.starts());

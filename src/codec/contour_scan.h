@@ -6,6 +6,7 @@
 
 #include "codec/block_coder.h"
 #include "codec/crack_map.h"
+#include "codec/fast_turn_model.h"
 #include "codec/start_model.h"
 #include "codec/turn_model.h"
 
@@ -22,7 +23,7 @@ namespace unstep::codec {
 ///     damaged()                  the payload cannot be right; give up
 ///
 /// The decoder's answers to the questions are never looked at.
-template <class Side>
+template <class Side, class Turns>
 class ContourScan {
  public:
   ContourScan(Side& side, std::int32_t width, std::int32_t height,
@@ -53,7 +54,7 @@ class ContourScan {
     return {};
   }
 
-  [[nodiscard]] const TurnModel& turns() const { return turns_; }
+  [[nodiscard]] const Turns& turns() const { return turns_; }
   [[nodiscard]] const StartModel& starts() const { return starts_; }
 
  private:
@@ -117,6 +118,7 @@ class ContourScan {
     CrackMap::Address flipped = cracks_.flipped_at(x, y);
     Quarter direction = 0;
     turns_.begin(start, flipped, ink);
+    starts_.walked();
     for (;;) {
       cracks_.mark(point, flipped, direction);
       point += cracks_.step(direction);
@@ -176,7 +178,7 @@ class ContourScan {
 
   Side& side_;
   CrackMap cracks_;
-  TurnModel turns_;
+  Turns turns_;
   StartModel starts_;
   std::vector<std::uint64_t> above_;  ///< pixels of the row before
 };

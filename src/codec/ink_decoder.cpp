@@ -11,7 +11,11 @@ namespace unstep::codec {
 namespace {
 
 constexpr CoderName kStored{kCoderStored, 0, 0};
-constexpr CoderName kContours{kCoderContours, kContourRevision, warm::kTableId};
+
+bool is_contours(const CoderName& name) {
+  return name.coder == kCoderContours && name.table == warm::kTableId &&
+         is_contour_revision(name.revision);
+}
 
 Error unknown(const CoderName& name) {
   return {ErrorCode::unsupported_version,
@@ -26,8 +30,9 @@ Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
                   Bitmap& ink, std::int32_t first_row, std::int32_t rows,
                   const DecodeLimits& limits, const BlockProgress& progress) {
   if (name == kStored) return decode_stored(payload, ink, first_row, rows);
-  if (name == kContours) {
-    return decode_contours(payload, ink, first_row, rows, limits, progress);
+  if (is_contours(name)) {
+    return decode_contours(payload, ink, first_row, rows, name.revision, limits,
+                           progress);
   }
   return unknown(name);
 }
@@ -35,8 +40,9 @@ Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
 Status verify_ink(const CoderName& name, std::span<const std::uint8_t> payload,
                   const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
                   const DecodeLimits& limits, const BlockProgress& progress) {
-  if (name == kContours) {
-    return verify_contours(payload, ink, first_row, rows, limits, progress);
+  if (is_contours(name)) {
+    return verify_contours(payload, ink, first_row, rows, name.revision, limits,
+                           progress);
   }
   Result<Bitmap> decoded = Bitmap::create(ink.width(), rows);
   if (!decoded) return decoded.error();

@@ -6,10 +6,11 @@
 namespace unstep::codec {
 
 Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
-                                std::int32_t rows,
+                                std::int32_t rows, Effort effort,
                                 const BlockProgress& progress) {
+  const std::uint8_t revision = contour_revision(effort);
   Result<std::vector<std::uint8_t>> contours =
-      encode_contours(ink, first_row, rows, progress);
+      encode_contours(ink, first_row, rows, revision, progress);
   if (!contours) return contours.error();
   // Noise has more cracks than pixels; then the packed rows are smaller. Only
   // worth trying where the contours cost a good part of a bit per pixel.
@@ -23,7 +24,7 @@ Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
       return EncodedBlock{{kCoderStored, 0, 0}, *std::move(stored)};
     }
   }
-  return EncodedBlock{{kCoderContours, kContourRevision, warm::kTableId},
+  return EncodedBlock{{kCoderContours, revision, warm::kTableId},
                       *std::move(contours)};
 }
 

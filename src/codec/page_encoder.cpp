@@ -218,7 +218,7 @@ Status encode_ink_page(const Bitmap& ink, const EncodeOptions& options,
     BlockParts& band = page.blocks[i];
     const BlockProgress progress = sum.block();
     Result<EncodedBlock> encoded =
-        encode_ink(ink, band.first_row, band.rows, progress);
+        encode_ink(ink, band.first_row, band.rows, options.effort, progress);
     if (!encoded) return encoded.error();
     if (Status more = ProgressSum::complete(
             progress, static_cast<std::uint64_t>(band.rows));

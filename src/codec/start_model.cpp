@@ -43,7 +43,7 @@ StartModel::StartModel(const CrackMap& cracks)
 
 StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
                                               std::uint64_t above,
-                                              std::uint64_t used) const {
+                                              std::uint64_t used) {
   const auto known = [&](std::int32_t w) {
     return cracks_.horizontal_word(y - 1, w) | cracks_.horizontal_word(y, w) |
            cracks_.horizontal_word(y + 1, w) | cracks_.vertical_word(y - 2, w) |
@@ -58,8 +58,15 @@ StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
   // A start goes east and comes back from the south, so both are unknown; the
   // other two are absent, or both known (a saddle point).
   const std::uint64_t possible = used & ~east & ~south & ~(north ^ west);
-  const std::uint64_t near =
-      spread(known(word - 1), known(word), known(word + 1));
+  // Along a row only the next word is new, unless a walk has marked cracks.
+  if (!seen_ || seen_word_ != word) {
+    left_ = seen_ && seen_word_ == word - 1 ? here_ : known(word - 1);
+    here_ = seen_ && seen_word_ == word - 1 ? right_ : known(word);
+    right_ = known(word + 1);
+    seen_ = true;
+    seen_word_ = word;
+  }
+  const std::uint64_t near = spread(left_, here_, right_);
   const std::uint64_t roof = cracks_.horizontal_word(y - 1, word);
   const std::uint64_t beside_left =
       north >> 1 | cracks_.vertical_word(y - 1, word - 1) << 63;
@@ -74,6 +81,7 @@ StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
 
 void StartModel::begin_row(std::int32_t y) {
   y_ = y;
+  seen_ = false;
   row_last_.fill(-128);
   for (std::size_t i = 0; i < 2; ++i) {
     recent_[i] =

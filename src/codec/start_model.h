@@ -29,8 +29,9 @@ class StartModel {
   };
   /// `above`: the pixels of row y - 1 at these points.
   [[nodiscard]] Candidates candidates(std::int32_t y, std::int32_t word,
-                                      std::uint64_t above,
-                                      std::uint64_t used) const;
+                                      std::uint64_t above, std::uint64_t used);
+  /// Cracks have been marked since the last candidates().
+  void walked() { seen_ = false; }
 
   void begin_row(std::int32_t y);
 
@@ -84,7 +85,9 @@ class StartModel {
 
   static constexpr std::size_t kContexts = 3;
   static constexpr std::size_t kOpenFlags = 2 * 4 * 4 * 4 * 8;
-  static constexpr std::size_t kFlags = kOpenFlags + 8 * 5 * 3 * 2 + 16;
+  static constexpr std::size_t kSameFlags = kOpenFlags + 8 * 5 * 3 * 2;
+  static constexpr std::size_t kPlaces = kSameFlags + 2 * 8;
+  static constexpr std::size_t kFlags = kPlaces + 2 * 3 * 64;
 
   /// log2 of a context's counters: the first is indexed by the cracks
   /// themselves, the others by a hash.
@@ -121,7 +124,7 @@ class StartModel {
                            const Column& column, bool ink) {
     if ((mask & column.bit) != 0 && mask != column.bit) {
       entropy::Counter& counter =
-          flags_[kFlags - 16 + (ink ? 8 : 0) + age_level(column)];
+          flags_[kSameFlags + (ink ? 8 : 0) + age_level(column)];
       const bool same =
           coder.code(std::bit_floor(starts) == column.bit, counter.p1());
       counter.update(same);
@@ -136,19 +139,17 @@ class StartModel {
         row ? row_last_[ink ? 1 : 0] & 63 : std::countl_zero(column.bit) & 63);
     const std::size_t kind = !row ? 2 : gap < 64 ? 1 : 0;
     return code_index(coder, mask, std::bit_floor(starts), anchor,
-                      places_[ink ? 1 : 0][kind]);
+                      &flags_[kPlaces + ((ink ? 3 : 0) + kind) * 64]);
   }
   /// 0..7: how many rows ago the last start was, an octave apart.
   [[nodiscard]] std::size_t age_level(const Column& column) const;
-
-  using Places = std::array<entropy::Counter, 64>;
 
   /// One of the set bits of `mask`, by halves of the distance from `anchor`;
   /// `start` holds the right one.
   template <class Coder>
   static std::uint64_t code_index(Coder& coder, std::uint64_t mask,
                                   std::uint64_t start, unsigned anchor,
-                                  Places& places) {
+                                  entropy::Counter* places) {
     mask = std::rotl(mask, static_cast<int>(anchor));
     start = std::rotl(start, static_cast<int>(anchor));
     std::uint64_t range = ~std::uint64_t{0};
@@ -187,8 +188,11 @@ class StartModel {
   std::array<unsigned, 2> recent_{};      ///< decayed over the rows
   std::array<std::vector<Column>, 2> columns_;
   std::int32_t y_ = 0;
+  // The cracks known around a word and its neighbours.
+  std::uint64_t left_ = 0, here_ = 0, right_ = 0;
+  std::int32_t seen_word_ = 0;
+  bool seen_ = false;
   std::array<std::int32_t, 2> row_last_{};
-  std::array<std::array<Places, 3>, 2> places_{};
   unsigned row_near_ = 0;  ///< near starts in this row
   std::vector<entropy::Counter> near_;
   std::array<entropy::Counter*, kContexts> active_{};

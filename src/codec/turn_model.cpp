@@ -12,44 +12,70 @@ namespace {
 constexpr unsigned kSight = 12;  ///< how far look() sees, in points
 
 /// How many fewer bits of slots the contexts with few values get.
-constexpr std::array<int, TurnModel::kContexts> kFewer{1, 0, 0, 0, 0, 0,
-                                                       0, 3, 0, 0, 0, 1};
+constexpr std::array<int, 16> kFewer{1, 0, 0, 0, 0, 0, 0, 3,
+                                     0, 0, 0, 1, 0, 0, 0, 1};
 
-constexpr std::array<int, TurnModel::kContexts> table_sizes(int table_bits) {
-  std::array<int, TurnModel::kContexts> bits{};
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    bits[i] = table_bits - kFewer[i];
-  }
+template <std::size_t kCount>
+constexpr std::array<int, kCount> table_sizes(int table_bits) {
+  std::array<int, kCount> bits{};
+  for (std::size_t i = 0; i < kCount; ++i) bits[i] = table_bits - kFewer[i];
   return bits;
+}
+
+/// The weights that a model starts with: those of the table, and a little for
+/// what it has no weights for.
+template <std::size_t kInputs>
+std::array<std::array<std::int16_t, kInputs>, 2> first_weights() {
+  std::array<std::array<std::int16_t, kInputs>, 2> weights{};
+  for (std::size_t node = 0; node < 2; ++node) {
+    for (std::size_t i = 0; i < 32; ++i) {
+      weights[node][i] = warm::kTurnWeights[node][i];
+    }
+    if constexpr (kInputs > 32) {
+      for (const std::size_t i : {12U, 13U}) {
+        weights[node][kInputs - 8 + i - 12] = weights[node][i];
+      }
+      for (std::size_t i = 12; i < 16; ++i) {
+        weights[node][i] = weights[node][16 + i] = 200;
+      }
+    }
+  }
+  return weights;
 }
 
 }  // namespace
 
-std::uint64_t TurnModel::memory(int table_bits) {
+template <std::size_t kCount>
+std::uint64_t MixedTurnModel<kCount>::memory(int table_bits) {
   std::uint64_t bytes = (std::uint64_t{1} << 20);  // gates, match, weights
-  for (const int bits : table_sizes(table_bits)) {
+  for (const int bits : table_sizes<kCount>(table_bits)) {
     bytes += sizeof(entropy::Slot) << bits;
   }
   return bytes;
 }
 
-TurnModel::TurnModel(const CrackMap& cracks, int table_bits)
+template <std::size_t kCount>
+MixedTurnModel<kCount>::MixedTurnModel(const CrackMap& cracks, int table_bits)
     : cracks_(cracks),
-      slots_(table_sizes(table_bits)),
+      slots_(table_sizes<kCount>(table_bits)),
       gates_(std::size_t{1} << kGateBits),
-      mixer_({64, 1024, 1024}, warm::kTurnWeights) {
-  static_assert(kContexts == warm::kTurnContexts);
-  for (std::size_t i = 0; i < kContexts; ++i) {
+      mixer_({64, 1024, 1024}, first_weights<kInputs>()) {
+  for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
     const auto slots = slots_.slots(i);
-    const int shift = kMaxTableBits - std::countr_zero(slots.size());
+    // Index and check of a record are the upper 28 bits of the hash.
+    const int shift = 28 - std::countr_zero(slots.size());
     warm::for_each(i, [&](const warm::Record& record) {
-      slots[record.index >> shift] = {record.p, record.n, record.check};
+      const std::uint32_t hash =
+          std::uint32_t{record.index} << 12 | record.check;
+      slots[hash >> shift] = {record.p, record.n,
+                              static_cast<std::uint16_t>(record.check + 1)};
     });
   }
 }
 
-void TurnModel::begin(CrackMap::Address point, CrackMap::Address flipped,
-                      bool ink) {
+template <std::size_t kCount>
+void MixedTurnModel<kCount>::begin(CrackMap::Address point,
+                                   CrackMap::Address flipped, bool ink) {
   direction_ = 0;
   point_ = point + cracks_.step(0);
   flipped_ = flipped + cracks_.flipped_step(0);
@@ -65,7 +91,8 @@ void TurnModel::begin(CrackMap::Address point, CrackMap::Address flipped,
   dss_.push(0);
 }
 
-void TurnModel::advance(Turn turn) {
+template <std::size_t kCount>
+void MixedTurnModel<kCount>::advance(Turn turn) {
   match_.push(turn);
   history_ = history_ << 2 | turn;
   if (turn == kStraight) {
@@ -88,7 +115,9 @@ void TurnModel::advance(Turn turn) {
 }
 
 /// The nearest cracks parallel to the one just walked: right, left.
-std::array<TurnModel::Sight, 2> TurnModel::look() const {
+template <std::size_t kCount>
+std::array<typename MixedTurnModel<kCount>::Sight, 2>
+MixedTurnModel<kCount>::look() const {
   // The crack's bit in the plane where those beside it are its neighbours.
   const CrackMap::Address on = cracks_.crack(direction_);
   const CrackMap::Address before = point_ - cracks_.step(direction_);
@@ -114,7 +143,8 @@ std::array<TurnModel::Sight, 2> TurnModel::look() const {
           sight(right_after ? behind : ahead, 3)};
 }
 
-unsigned TurnModel::shape(CrackMap::Address point) const {
+template <std::size_t kCount>
+unsigned MixedTurnModel<kCount>::shape(CrackMap::Address point) const {
   const CrackMap::Address on = cracks_.crack(direction_);
   const CrackMap::Address right = cracks_.crack((direction_ + 1) & 3);
   const CrackMap::Address left = cracks_.crack((direction_ + 3) & 3);
@@ -124,7 +154,8 @@ unsigned TurnModel::shape(CrackMap::Address point) const {
          cracks_.test(next + right) << 1 | cracks_.test(next + left);
 }
 
-entropy::Counter& TurnModel::find_gate() {
+template <std::size_t kCount>
+entropy::Counter& MixedTurnModel<kCount>::find_gate() {
   const std::uint64_t recent = history_ & 0xffffff;  // 12 turns
   const std::uint64_t hash = mix(around_ & patch::kNear, recent) * kGolden;
   gate_ = &gates_[hash >> (64 - kGateBits)];
@@ -132,7 +163,8 @@ entropy::Counter& TurnModel::find_gate() {
 }
 
 /// The last n steps as a chord, in the frame of the current direction: 18 bits.
-std::uint64_t TurnModel::chord(std::uint32_t n) const {
+template <std::size_t kCount>
+std::uint64_t MixedTurnModel<kCount>::chord(std::uint32_t n) const {
   if (steps_ < n) return 0;
   const std::int32_t dx = here_.x - trail(n).x;
   const std::int32_t dy = here_.y - trail(n).y;
@@ -144,7 +176,8 @@ std::uint64_t TurnModel::chord(std::uint32_t n) const {
 }
 
 /// Doubled area between the last n steps and their chord (patent's F).
-unsigned TurnModel::bulge(std::uint32_t n) const {
+template <std::size_t kCount>
+unsigned MixedTurnModel<kCount>::bulge(std::uint32_t n) const {
   if (steps_ < n) return 0;
   const Trail& t = trail(n);
   const std::int64_t dx = here_.x - t.x;
@@ -153,7 +186,8 @@ unsigned TurnModel::bulge(std::uint32_t n) const {
                        (std::int64_t{t.y} * dx - std::int64_t{t.x} * dy));
 }
 
-void TurnModel::look_around() {
+template <std::size_t kCount>
+void MixedTurnModel<kCount>::look_around() {
   const std::uint64_t at_point = patch::ways(around_);
   const std::uint64_t base = at_point << 1 | (ink_ ? 1U : 0U);
   const auto history = [&](unsigned turns) {
@@ -183,21 +217,31 @@ void TurnModel::look_around() {
   ask(10, (chord(64) << 18 | chord(8)) << 5 | bulge(64));
   ask(11,
       (verdict << 4 | std::min(dss_.previous_length(), 15U)) << 6 | history(3));
+  if constexpr (kCount > 12) {
+    ask(12, history(6));
+    ask(13, right_sight << 12 | history(6));
+    ask(14, ((around_ & patch::kNear) << 10 | right_sight) << 10 | left_sight);
+    ask(15, (chord(32) << 18 | chord(16)) << 2 | history(1));
+  }
   next_selectors_ = {
       std::min(right.distance, 7U) * 2 + (left.distance > 0 ? 16U : 0U),
       static_cast<std::size_t>(history(4)) * 2,
       (level * 4 + guess) * 2 + static_cast<std::size_t>(at_point) * 64};
 }
 
-int TurnModel::probability(Node node) {
+template <std::size_t kCount>
+int MixedTurnModel<kCount>::probability(Node node) {
   auto& inputs = mixer_.inputs(node);
   slots_.predict(node, inputs.data());
-  inputs[kContexts] = 77;
-  inputs[kContexts + 1] = static_cast<std::int16_t>(
+  inputs[kConstant] = 77;
+  inputs[kConstant + 1] = static_cast<std::int16_t>(
       node == kBends ? entropy::stretch(gate_->p) : 0);
   const int x = mixer_.mix(
       {selectors_[0] + node, selectors_[1] + node, selectors_[2] + node}, node);
   return std::clamp(entropy::squash(x), 1, 65535);
 }
+
+template class MixedTurnModel<12>;
+template class MixedTurnModel<16>;
 
 }  // namespace unstep::codec

@@ -23,12 +23,16 @@ using trace::Turn;
 using trace::turned;
 
 /// Predicts the turns of contours walked one by one. Encoder and decoder run
-/// the same object in step; everything is integer.
-class TurnModel {
+/// the same object in step; everything is integer. kCount: how many contexts
+/// are mixed; the first 12 are the same for all.
+template <std::size_t kCount>
+class MixedTurnModel {
  public:
-  static constexpr std::size_t kContexts = 12;
+  static constexpr std::size_t kContexts = kCount;
   using Slots = entropy::ContextSlots<kContexts>;
-  static constexpr std::size_t kInputs = Slots::kInputs;
+  /// Those of the slots, one that is constant, one of the gate.
+  static constexpr std::size_t kInputs = Slots::kInputs + (kCount > 14 ? 8 : 0);
+  static constexpr std::size_t kConstant = kCount > 14 ? Slots::kInputs : 12;
 
   /// A gate is one counter that decides whether a bend is so unlikely that it
   /// is coded with this counter alone: 2 of 5 steps of a technical drawing.
@@ -36,11 +40,11 @@ class TurnModel {
   static constexpr int kGateAge = 24;    ///< observations before it may
   static constexpr int kGateRare = 512;  ///< of 65536
 
-  static constexpr int kMaxTableBits = 16;  ///< what warm records index
+  static constexpr int kMaxTableBits = 20;
 
   /// `cracks` must outlive the model; 2^table_bits slots per context, fewer for
   /// some. REQUIRES: 8 <= table_bits <= kMaxTableBits.
-  TurnModel(const CrackMap& cracks, int table_bits);
+  MixedTurnModel(const CrackMap& cracks, int table_bits);
 
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(int table_bits);
@@ -146,5 +150,10 @@ class TurnModel {
   std::array<std::size_t, 3> next_selectors_{};
   std::array<std::size_t, 3> selectors_{};
 };
+
+using TurnModel = MixedTurnModel<12>;
+using MaxTurnModel = MixedTurnModel<16>;
+extern template class MixedTurnModel<12>;
+extern template class MixedTurnModel<16>;
 
 }  // namespace unstep::codec

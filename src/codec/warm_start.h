@@ -15,7 +15,7 @@ inline constexpr std::uint8_t kTableId = 1;
 inline constexpr std::size_t kTurnContexts = 12;
 inline constexpr std::size_t kStartContexts = 3;
 inline constexpr std::size_t kContexts = kTurnContexts + kStartContexts;
-inline constexpr std::size_t kFlags = 1280;
+inline constexpr std::size_t kFlags = 1664;
 
 /// How a slot starts. Eight characters of the table, six bits each, hold
 /// index 16, check 12, two stretches 6 + 6, two ages 4 + 4.

@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <span>
-#include <vector>
 
 #include "entropy/counter.h"
 #include "entropy/logistic.h"
@@ -145,7 +147,6 @@ class ContextSlots {
   static_assert(kContexts <= kLanes);
   /// Two inputs of a mixer for each lane; those of the unused lanes are 0.
   static constexpr std::size_t kInputs = 2 * kLanes;
-  static constexpr int kCheckBits = 12;
 
   /// bits[i]: log2 of the slots of context i.
   explicit ContextSlots(const std::array<int, kContexts>& bits) {
@@ -155,19 +156,28 @@ class ContextSlots {
       first_[i] = size;
       size += std::size_t{1} << bits[i];
     }
-    slots_.resize(size);
-    next_.fill(slots_.data());
-    active_.fill(slots_.data());
+    // Zeros are as good as new, since no hash has check 0, and the system need
+    // not provide pages that are never touched.
+    slots_.reset(static_cast<Slot*>(std::calloc(size, sizeof(Slot))));
+    if (slots_ == nullptr) throw std::bad_alloc();
+    slots_[0] = Slot{};
+    next_.fill(slots_.get());
+    active_.fill(slots_.get());
   }
   ContextSlots(const ContextSlots&) = delete;
   ContextSlots& operator=(const ContextSlots&) = delete;
 
+  /// 1..4096: the bits below those that find the slot of a 2^16 table.
+  static std::uint16_t check_of(std::uint64_t hash) {
+    return static_cast<std::uint16_t>((hash >> 36 & 0xfff) + 1);
+  }
+
   [[nodiscard]] std::span<Slot> slots(std::size_t context) {
-    return {slots_.data() + first_[context],
+    return {slots_.get() + first_[context],
             std::size_t{1} << (64 - shift_[context])};
   }
   [[nodiscard]] std::span<const Slot> slots(std::size_t context) const {
-    return {slots_.data() + first_[context],
+    return {slots_.get() + first_[context],
             std::size_t{1} << (64 - shift_[context])};
   }
 
@@ -176,8 +186,7 @@ class ContextSlots {
     Slot* slot = &slots_[first_[i] + (hash >> shift_[i])];
     __builtin_prefetch(slot, 1);
     next_[i] = slot;
-    checks_[i] =
-        static_cast<std::uint16_t>(hash >> 36 & ((1U << kCheckBits) - 1));
+    checks_[i] = check_of(hash);
   }
 
   void recall() {
@@ -187,8 +196,7 @@ class ContextSlots {
   }
 
   /// Writes the inputs for decision `node` (0 or 1): stretches, and distances
-  /// from one half that grow with the age. The inputs of unused lanes are 0
-  /// and what their common slot says.
+  /// from one half that grow with the age. The inputs of unused lanes are 0.
   void predict(std::size_t node, std::int16_t* inputs) {
     const auto& p = lanes_.p[node];
 #if defined(__SSE2__)
@@ -209,14 +217,17 @@ class ContextSlots {
       const __m128i lean = _mm_xor_si128(
           _mm_load_si128(reinterpret_cast<const __m128i*>(p.data() + i)),
           _mm_set1_epi16(-32768));
+      const __m128i used =
+          _mm_load_si128(reinterpret_cast<const __m128i*>(kUsed.data() + i));
       _mm_storeu_si128(reinterpret_cast<__m128i*>(inputs + kLanes + i),
-                       _mm_mulhi_epi16(lean, n));
+                       _mm_and_si128(_mm_mulhi_epi16(lean, n), used));
     }
 #else
     for (std::size_t i = 0; i < kLanes; ++i) {
       inputs[i] = static_cast<std::int16_t>(i < kContexts ? stretch(p[i]) : 0);
       const int n = lanes_.n[i] >> (node == 0 ? 0 : 8) & 0xff;
       inputs[kLanes + i] = static_cast<std::int16_t>(
+          kUsed[i] &
           (p[i] - 32768) * (kTrustStep * std::min(n, kTrustAge)) >> 16);
     }
 #endif
@@ -241,6 +252,13 @@ class ContextSlots {
   }
 
  private:
+  /// All ones in the lanes of contexts.
+  alignas(16) static constexpr std::array<std::int16_t, kLanes> kUsed = [] {
+    std::array<std::int16_t, kLanes> lanes{};
+    for (std::size_t i = 0; i < kContexts; ++i) lanes[i] = -1;
+    return lanes;
+  }();
+
   static constexpr int kTrustAge = 30;
   static constexpr int kTrustStep = 51;  ///< 32768 * 30 * 51 >> 16 = 765
 
@@ -287,7 +305,10 @@ class ContextSlots {
 #endif
   }
 
-  std::vector<Slot> slots_;
+  struct Free {
+    void operator()(Slot* slots) const { std::free(slots); }
+  };
+  std::unique_ptr<Slot[], Free> slots_;
   std::array<std::size_t, kContexts> first_{};
   std::array<int, kContexts> shift_{};
   std::array<Slot*, kLanes> next_{};

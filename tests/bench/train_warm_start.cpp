@@ -74,8 +74,9 @@ struct Trainer {
       for (std::size_t k = 0; k < slots.size(); ++k) {
         const auto& slot = slots[k];
         if (slot.n[0] == 0 && slot.n[1] == 0) continue;
-        const int shift = 16 - std::countr_zero(slots.size());
-        Sum& sum = sums[i][static_cast<Key>(k << shift << 12 | slot.check)];
+        const int shift = std::countr_zero(slots.size()) - 16;
+        Sum& sum =
+            sums[i][static_cast<Key>(k >> shift << 12 | (slot.check - 1U))];
         for (const std::size_t node : {0U, 1U}) {
           add(sum, node, slot.p[node], slot.n[node]);
         }

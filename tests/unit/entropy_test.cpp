@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <random>
 #include <span>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "entropy/counter.h"
 #include "entropy/logistic.h"
 #include "entropy/mixer.h"
+#include "entropy/slots.h"
 
 namespace unstep::entropy {
 namespace {
@@ -181,22 +183,20 @@ T wild(std::mt19937& random) {
 
 TEST(Mixing, FastFormsEqualTheReference) {
   std::mt19937 random(5);
+  constexpr std::size_t kSize = 40;
   for (int round = 0; round < 2000; ++round) {
-    const std::size_t n = 8 * (1 + random() % 5);
-    alignas(16) std::array<std::int16_t, 40> x{};
-    std::array<std::int32_t, 40> w{};
-    for (std::size_t i = 0; i < n; ++i) {
-      x[i] = wild<std::int16_t>(random);
-      // Both products -32768 * -32768 of a pair would differ from int32 sums.
-      if (x[i] == -32768) x[i] = -32767;
-      w[i] = wild<std::int32_t>(random);
+    alignas(16) std::array<std::int16_t, kSize> x{};
+    std::array<std::int16_t, kSize> w{};
+    for (std::size_t i = 0; i < kSize; ++i) {
+      x[i] = std::clamp<std::int16_t>(wild<std::int16_t>(random), -4095, 4095);
+      w[i] = wild<std::int16_t>(random);
     }
-    ASSERT_EQ(mixing::dot(x.data(), w.data(), n),
-              mixing::dot_reference(x.data(), w.data(), n));
+    ASSERT_EQ(mixing::dot<kSize>(x.data(), w.data()),
+              mixing::dot_reference(x.data(), w.data(), kSize));
     auto reference = w;
     auto error = wild<std::int16_t>(random);
-    mixing::train(x.data(), w.data(), n, error);
-    mixing::train_reference(x.data(), reference.data(), n, error);
+    mixing::train<kSize>(x.data(), w.data(), error);
+    mixing::train_reference(x.data(), reference.data(), kSize, error);
     ASSERT_EQ(w, reference);
   }
 }
@@ -250,25 +250,51 @@ TEST(Mixer, GivesVectorsTheirOwnWeights) {
   EXPECT_EQ(mixer.mix({2}), 500);
 }
 
-TEST(Counter, MovesSixteenAtOnceAsOneByOne) {
-  std::mt19937 random(8);
-  for (int round = 0; round < 5000; ++round) {
-    std::array<std::uint16_t, 16> p{};
-    std::array<std::uint16_t, 16> rate{};
-    std::array<std::int16_t, 16> trust{};
-    std::array<std::int16_t, 16> leaning{};
-    for (std::size_t i = 0; i < 16; ++i) {
-      p[i] = wild<std::uint16_t>(random);
-      rate[i] = detail::kRates[random() % 256];
-      trust[i] = static_cast<std::int16_t>(random() % 32768);
+/// Slots one by one, as docs/format.md describes them.
+struct PlainSlots {
+  struct Entry {
+    std::array<Counter, 2> counters;
+    std::uint16_t check = 0;
+  };
+  std::map<std::pair<std::size_t, std::uint64_t>, Entry> table;
+
+  Entry& find(std::size_t context, int bits, std::uint64_t hash) {
+    Entry& entry = table[{context, hash >> (64 - bits)}];
+    const std::uint16_t check = ContextSlots<5>::check_of(hash);
+    if (entry.check != check) entry = {{}, check};
+    return entry;
+  }
+};
+
+TEST(ContextSlots, WorkAsSlotsOneByOne) {
+  constexpr std::array<int, 5> kBits{8, 9, 4, 10, 8};
+  ContextSlots<5> slots(kBits);
+  PlainSlots plain;
+  std::mt19937_64 random(8);
+  for (int round = 0; round < 20'000; ++round) {
+    std::array<std::uint64_t, 5> hashes{};
+    for (std::size_t i = 0; i < 5; ++i) {
+      hashes[i] = random() % 200 * 0x9e3779b97f4a7c15ULL;
+      slots.ask(i, hashes[i]);
     }
-    lean_all(p, trust, leaning.data());
-    std::array<std::uint16_t, 16> all = p;
-    const bool bit = random() % 2 == 0;
-    move_all(all, rate, bit);
-    for (std::size_t i = 0; i < 16; ++i) {
-      ASSERT_EQ(all[i], moved(p[i], bit, rate[i]));
-      ASSERT_EQ(leaning[i], ((p[i] - 32768) * trust[i]) >> 16);
+    slots.learn([](std::size_t, bool) {});
+    slots.recall();
+    for (std::size_t node = 0; node < 2; ++node) {
+      alignas(16) std::array<std::int16_t, ContextSlots<5>::kInputs> inputs{};
+      slots.predict(node, inputs.data());
+      const bool bit = random() % 3 == 0;
+      for (std::size_t i = 0; i < 5; ++i) {
+        Counter& c = plain.find(i, kBits[i], hashes[i]).counters[node];
+        ASSERT_EQ(inputs[i], stretch(c.p));
+        ASSERT_EQ(inputs[16 + i],
+                  ((c.p - 32768) * (51 * std::min<int>(c.n, 30))) >> 16);
+        c.update(bit);
+      }
+      for (std::size_t i = 5; i < 16; ++i) {
+        ASSERT_EQ(inputs[i], 0);
+        ASSERT_EQ(inputs[16 + i], 0);
+      }
+      slots.note(node, bit);
     }
   }
 }

@@ -144,4 +144,7 @@ struct Drawing {
   friend bool operator==(const Drawing&, const Drawing&) = default;
 };
 
+/// How much work is worth it.
+enum class Effort : std::uint8_t { fast, standard, max };
+
 }  // namespace unstep

@@ -178,9 +178,6 @@ struct DigitalSegments {
 /// connectivity.
 Result<DigitalSegments> reverse_exact(const Chain& chain);
 
-/// How much work is worth it.
-enum class Effort : std::uint8_t { fast, standard, max };
-
 struct ToleranceOptions {
   /// Euclidean Frechet distance between the chain and the path, in grid
   /// units, before rasterising: never more than this. From 1/256 to 2^20.
