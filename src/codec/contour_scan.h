@@ -94,7 +94,8 @@ class ContourScan {
       found = starts_.candidates(y, word, above, used);
     }
     for (;;) {
-      const std::uint64_t mask = found.near & ~excluded;
+      // A walk can make a near candidate a likely one.
+      const std::uint64_t mask = (found.near | found.likely) & ~excluded;
       if (mask == 0) break;
       const std::uint64_t truth = side_.starts(y, word, cracks_);
       const std::uint64_t bit =

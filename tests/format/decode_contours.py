@@ -14,7 +14,7 @@ import zlib
 from entropy import Damaged, Interval
 from starts import StartModel
 from table import Table
-from turns import DX, DY, TurnModel
+from turns import DX, DY, FastTurnModel, TurnModel
 
 
 class Cracks:
@@ -47,22 +47,29 @@ class Cracks:
 class Scan:
     """Scan and Walk."""
 
-    def __init__(self, payload, width, rows, trace):
+    def __init__(self, payload, width, rows, revision, trace):
         self.width, self.rows = width, rows
         self.coder = Interval(payload, trace)
         self.cracks = Cracks()
         size = width * rows
         table = Table()
-        table_bits = (12 if size < 40000 else 14 if size < 2000000 else
-                      16 if size <= 24000000 else 15)
-        self.turns = TurnModel(self.cracks, table_bits, table)
+        if revision == 2:
+            self.turns = FastTurnModel(self.cracks)
+        else:
+            small, middle, large, huge = ((12, 14, 17, 15), (14, 16, 19, 19)
+                                          )[revision]
+            table_bits = (small if size < 40000 else
+                          middle if size < 2000000 else
+                          large if size <= 24000000 else huge)
+            self.turns = TurnModel(self.cracks, table_bits, table,
+                                   (12, 16)[revision])
         self.starts = StartModel(self.cracks, table)
         self.above = [0] * width
 
     def run(self):
         image = []
         for y in range(self.rows):
-            self.starts.begin_row()
+            self.starts.begin_row(y)
             for first in range(0, self.width, 64):
                 self.word(y, range(first, min(first + 64, self.width)))
             ink, row = 0, []
@@ -75,35 +82,46 @@ class Scan:
         return image
 
     def candidates(self, y, points, excluded):
-        """Near ones, far ones on paper, far ones on ink."""
+        """Near ones, likely ones, far ones on paper, far ones on ink."""
         H, V = self.cracks.H, self.cracks.V
-        near, far = [], ([], [])
+        near, likely, far = [], [], ([], [])
         for x in points:
             if (x in excluded or H(x, y) or V(x, y)
                     or V(x, y - 1) != H(x - 1, y)):
                 continue
-            if (x, y) in self.cracks.near:
-                near.append(x)
-            else:
+            if (x, y) not in self.cracks.near:
                 far[self.above[x]].append(x)
-        return near, far
+            elif V(x, y - 1) or self.above[x] and (
+                    H(x, y - 1) or V(x - 1, y - 1) and V(x + 1, y)):
+                likely.append(x)
+            else:
+                near.append(x)
+        return near, likely, far
 
     def word(self, y, points):
         excluded = set()
         for colour in (0, 1):
-            while mask := self.candidates(y, points, excluded)[1][colour]:
+            while mask := self.candidates(y, points, excluded)[2][colour]:
                 if not self.starts.far_start(self.coder, mask, colour):
                     excluded.update(mask)
                     break
-                self.walk(self.starts.far_index(self.coder, mask), y,
+                self.walk(self.starts.far_index(self.coder, mask, colour), y,
                           1 - colour)
-        near = self.candidates(y, points, excluded)[0]
-        while near:
-            x = near.pop(0)
+        while mask := self.candidates(y, points, excluded)[1]:
+            x = mask[0]
             excluded.add(x)
             if self.starts.near_start(self.coder, x, y, self.above[x]):
                 self.walk(x, y, 1 - self.above[x])
-                near = self.candidates(y, points, excluded)[0]
+        while True:
+            near, likely, _ = self.candidates(y, points, excluded)
+            mask = sorted(near + likely)
+            if not mask:
+                break
+            x = self.starts.near_first(self.coder, mask, y, self.above)
+            if x is None:
+                break
+            excluded.update(range(points[0], x + 1))
+            self.walk(x, y, 1 - self.above[x])
 
     def walk(self, x, y, ink):
         x0, y0, direction = x, y, 0
@@ -149,11 +167,12 @@ def decode(data, trace=False):
         at += 1
         for _ in range(2 if unit & 4 else 4):
             _, at = varint(data, at)
-    if data[at] != 0x81:
-        raise Damaged("another coder than 1, revision 0, table 1")
+    if data[at] not in (0x81, 0xA1, 0xC1):
+        raise Damaged("another coder than 1, revision 0 to 2, table 1")
+    revision = data[at] >> 5 & 3
     head, stored, payload = data[4:at + 1], data[at + 1:at + 5], data[at + 5:]
     pbm = b""
-    for row in Scan(payload, width, height, trace).run():
+    for row in Scan(payload, width, height, revision, trace).run():
         digits = "".join(map(str, row)) + "0" * (-width % 8)
         pbm += int(digits, 2).to_bytes(len(digits) // 8, "big")
     if zlib.crc32(head + pbm) != int.from_bytes(stored, "little"):

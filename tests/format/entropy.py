@@ -110,17 +110,18 @@ class Mixer:
     """Mixer."""
 
     def __init__(self, sizes, first_vectors):
-        self.sets = [[[[w * 4096 for w in first_vectors[v % len(first_vectors)]],
-                       0] for v in range(size)] for size in sizes]
+        first = [[clamp(4 * w, -32768, 32767) for w in vector]
+                 for vector in first_vectors]
+        self.sets = [[[first[v % len(first)], 0] for v in range(size)]
+                     for size in sizes]
 
     def predict(self, x, chosen):
         self.x = x
         self.vectors = [s[c] for s, c in zip(self.sets, chosen)]
         self.outputs = []
         for w, _ in self.vectors:
-            total = sum(a * clamp(b >> 12, -32768, 32767)
-                        for a, b in zip(x, w) if a)
-            self.outputs.append(clamp(signed32(total) >> 12, -3071, 3071))
+            total = sum(a * b for a, b in zip(x, w) if a)
+            self.outputs.append(clamp(signed32(total) >> 14, -3071, 3071))
         total = sum(self.outputs)
         mean = abs(total) // len(self.outputs)
         return squash(mean if total >= 0 else -mean)
@@ -128,7 +129,8 @@ class Mixer:
     def learn(self, bit):
         for vector, o in zip(self.vectors, self.outputs):
             w, age = vector
-            rate = 350 + 1450 * 1024 // (1024 + age)
+            rate = 350 + 1450 * 16 // (16 + age // 64)
             step = (65536 * bit - squash(o)) * rate >> 12
-            vector[:] = ([signed32(b + (a * step >> 4))
+            vector[:] = ([clamp(b + ((8 * a * step >> 16) + 1 >> 1),
+                                -32768, 32767)
                           for a, b in zip(self.x, w)], min(60000, age + 1))

@@ -3,38 +3,96 @@ from entropy import K, STRETCH, Mixer, clamp, top, update
 
 
 class StartModel:
+    FAR, GROUP, SAME, PLACE = 0, 1024, 1264, 1280
+
     def __init__(self, cracks, table):
-        self.cracks, self.far = cracks, table.far
+        self.cracks, self.flags = cracks, table.flags
         self.recent, self.count = [0, 0], [0, 0]
+        self.columns = {}  # (colour, word): (row, point) of the last far start
         self.groups = [{}, {}, {}]
         for group, b, records in zip(self.groups, (16, 14, 14),
-                                     table.groups[15:]):
+                                     table.groups[12:]):
             for index, _, p, n in records:
                 group[index >> (16 - b)] = [p[0], n[0]]
         self.mixer = Mixer((64,), table.start)
 
-    def begin_row(self):
+    def begin_row(self, y):
+        self.y, self.last, self.near_count = y, [-128, -128], 0
         for c in (0, 1):
             self.recent[c] += (16 * min(64, self.count[c])
                                - self.recent[c] // 4)
             self.count[c] = 0
 
+    def age(self, c, word):
+        if (c, word) not in self.columns:
+            return 7
+        rows = self.y - self.columns[c, word][0]
+        return min(7, (rows // 2).bit_length())
+
     def far_start(self, coder, mask, c):
+        word = mask[0] // 64
         size = sum(len(mask) > s for s in (5, 16, 40))
         r = sum(self.recent[c] > s for s in (3, 16, 64))
-        counter = self.far[((4 * c + size) * 4 + min(3, self.count[c])) * 4 + r]
+        age = min(self.age(c, word + i) for i in (-1, 0, 1))
+        counter = self.flags[self.FAR + age + 8 * (
+            ((4 * c + size) * 4 + min(3, self.count[c])) * 4 + r)]
         bit = coder.decode(clamp(counter[0], 2, 65534), "far start")
         update(counter, bit)
         self.count[c] += bit
         return bit
 
-    @staticmethod
-    def far_index(coder, mask):
-        while len(mask) > 1:
-            n = len(mask)
-            first = coder.decode(65536 * (n // 2) // n, "far index")
-            mask = mask[:n // 2] if first else mask[n // 2:]
-        return mask[0]
+    def far_index(self, coder, mask, c):
+        word = mask[0] // 64
+        x = self.place(coder, mask, c, word)
+        self.last[c], self.columns[c, word] = x, (self.y, x)
+        return x
+
+    def place(self, coder, mask, c, word):
+        column = self.columns.get((c, word), (0, 64 * word))[1]
+        if (c, word) in self.columns and column in mask and len(mask) > 1:
+            counter = self.flags[self.SAME + 8 * c + self.age(c, word)]
+            same = coder.decode(clamp(counter[0], 16, 65520), "far, same")
+            update(counter, same)
+            if same:
+                return column
+            mask = [x for x in mask if x != column]
+        gap = 64 * word - self.last[c]
+        anchor = self.last[c] if gap < 128 else column
+        kind = 2 if gap >= 128 else 1 if gap < 64 else 0
+        node, low = 1, 0
+        distances = {(x - anchor) % 64: x for x in mask}
+        for half in (32, 16, 8, 4, 2, 1):
+            there = [v for v in distances if low <= v < low + 2 * half]
+            later = [v for v in there if v >= low + half]
+            second = len(later) == len(there)
+            if later and not second:
+                counter = self.flags[self.PLACE + (3 * c + kind) * 64 + node]
+                if counter[1] == 0:
+                    counter[:] = 65536 * len(later) // len(there), 12
+                second = coder.decode(clamp(counter[0], 16, 65520),
+                                      "far index")
+                update(counter, second)
+            low += half if second else 0
+            node = 2 * node + second
+        return distances[low]
+
+    def near_first(self, coder, mask, y, above):
+        """The first start of mask, or None."""
+        paper = sum(not above[x] for x in mask)
+        ink = len(mask) - paper
+        roof = any(self.cracks.H(x, y - 1) for x in mask)
+        counter = self.flags[self.GROUP + ((
+            min(7, paper.bit_length()) * 5 + min(4, ink.bit_length())) * 3
+            + min(2, self.near_count)) * 2 + roof]
+        bit = coder.decode(clamp(counter[0], 2, 65534), "near group")
+        update(counter, bit)
+        if not bit:
+            return None
+        self.near_count += 1
+        for x in mask[:-1]:
+            if self.near_start(coder, x, y, above[x]):
+                return x
+        return mask[-1]
 
     def near_start(self, coder, x, y, a):
         def digits(plane, y2, k, m):
@@ -52,10 +110,6 @@ class StartModel:
         index = (row(y, 0, 3) | col(y - 1, 0, 3) << 3 | col(y, 0, 3) << 6
                  | row(y - 1, 1, 3) << 9 | row(y + 1, 1, 3) << 12 | a << 15)
         first = self.groups[0].setdefault(index, [2000, 0])
-        if first[0] < 100 and first[1] >= 16:
-            bit = coder.decode(first[0] + 2, "near, tight")
-            update(first, bit)
-            return bit
         mid = (row(y, 1, 5) | col(y - 1, 1, 5) << 5 | col(y, 1, 5) << 10
                | row(y - 1, 1, 4) << 15 | row(y + 1, 1, 4) << 19
                | row(y - 2, 1, 4) << 23 | a << 27)

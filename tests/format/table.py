@@ -7,7 +7,7 @@ from entropy import Damaged, squash
 
 SOURCE = (pathlib.Path(__file__).resolve().parents[2]
           / "src/codec/warm_start_table.cpp")
-CRC = 0xC6FC8F90
+CRC = 0x28CD8FB2
 
 
 class Table:
@@ -32,8 +32,8 @@ class Table:
         turn = numbers("kTurnWeights")
         self.turn, self.start = (turn[:32], turn[32:]), (
             numbers("kStartWeights"),)
-        flat = numbers("kOpen")
-        self.far = [list(pair) for pair in zip(flat[::2], flat[1::2])]
+        flat = numbers("kFlagStart")
+        self.flags = [list(pair) for pair in zip(flat[::2], flat[1::2])]
 
     def record(self, characters):
         bits = 0

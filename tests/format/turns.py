@@ -1,5 +1,7 @@
-"""Sections "State", "Surroundings" and "Turn" of docs/format.md."""
-from entropy import K, M64, STRETCH, Mixer, clamp, top, update
+"""Sections "State", "Surroundings", "Turn" and "Fast turns" of
+docs/format.md."""
+from entropy import (K, M64, STRETCH, Mixer, clamp, move, squash, top,
+                     update)
 from segment import Match, Segment
 
 DX, DY = (1, 0, -1, 0), (0, 1, 0, -1)
@@ -10,20 +12,55 @@ def mix(a, b):
             ^ a >> 29) & M64
 
 
-class TurnModel:
-    FEWER = (3, 1, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 2, 1)
+class Walker:
+    """The patch around the point of a walk."""
+
     NEAR = 0xFF6039CA
 
-    def __init__(self, cracks, table_bits, table):
-        self.cracks = cracks
-        self.bits = [table_bits - fewer for fewer in self.FEWER]
+    def place(self, f, r):
+        d, right = self.direction, (self.direction + 1) % 4
+        return (self.x + f * DX[d] + r * DX[right],
+                self.y + f * DY[d] + r * DY[right])
+
+    def patch(self):
+        test, d, right = self.cracks.test, self.direction, (
+            self.direction + 1) % 4
+        patch = 0
+        for f in range(-1, 3):
+            for r in range(-2, 3):
+                patch |= test(*self.place(f, r), d) << 5 * (f + 1) + r + 2
+        for f in range(-1, 4):
+            for r in range(-2, 2):
+                patch |= (test(*self.place(f, r), right)
+                          << 20 + 4 * (f + 1) + r + 2)
+        return patch
+
+    @staticmethod
+    def ahead(patch):
+        return (patch >> 7 & 1) + 2 * (patch >> 25 & 1) + 4 * (patch >> 26 & 1)
+
+
+class TurnModel(Walker):
+    FEWER = (1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 1)
+
+    def __init__(self, cracks, table_bits, table, contexts):
+        self.cracks, self.count = cracks, contexts
+        self.bits = [table_bits - fewer for fewer in self.FEWER[:contexts]]
         self.slots = [{} for _ in self.bits]
-        for slots, b, records in zip(self.slots, self.bits, table.groups):
+        for slots, b, records in zip(self.slots, self.bits,
+                                     table.groups[:12]):
             for index, check, p, n in records:
-                slots[index >> (16 - b)] = [check, [p[0], n[0]], [p[1], n[1]]]
+                slots[(index << 12 | check) >> (28 - b)] = [
+                    check + 1, [p[0], n[0]], [p[1], n[1]]]
         self.gates = {}
-        self.mixer = Mixer((64, 1024, 1024), table.turn)
+        self.mixer = Mixer((64, 1024, 1024), self.weights(table.turn))
         self.match = Match()
+
+    def weights(self, vectors):
+        if self.count == 12:
+            return vectors
+        return [v[:12] + [200] * 4 + v[16:28] + [200] * 4 + v[12:14] + [0] * 6
+                for v in vectors]
 
     def begin(self, x, y, ink):
         self.x, self.y, self.direction, self.ink = x, y, 0, ink
@@ -36,7 +73,7 @@ class TurnModel:
         self.match.push(t)
         self.history = (self.history * 4 + t) & M64
         if t == 0:
-            self.run[0] += 1
+            self.run[0] = min(255, self.run[0] + 1)
         else:
             self.run = [0] + self.run[:3]
             self.bend = [t, self.bend[0]]
@@ -66,27 +103,11 @@ class TurnModel:
         if len(self.trail) - 1 < n:
             return 0
         area = self.moved_since(n)[2]
-        f = abs(area)
-        level = min(3, f) + sum(f >= s for s in (4, 6, 9, 14, 20, 30, 45, 70))
-        return 12 + level if area < 0 else level
-
-    def place(self, f, r):
-        d, right = self.direction, (self.direction + 1) % 4
-        return (self.x + f * DX[d] + r * DX[right],
-                self.y + f * DY[d] + r * DY[right])
-
-    def patch(self):
-        test, d, right = self.cracks.test, self.direction, (
-            self.direction + 1) % 4
-        patch = 0
-        for f in range(-1, 3):
-            for r in range(-2, 3):
-                patch |= test(*self.place(f, r), d) << 5 * (f + 1) + r + 2
-        for f in range(-1, 4):
-            for r in range(-2, 2):
-                patch |= (test(*self.place(f, r), right)
-                          << 20 + 4 * (f + 1) + r + 2)
-        return patch
+        f, octave = abs(area), abs(area).bit_length()
+        level = octave
+        if octave >= 2:
+            level = min(15, 2 * octave - 2 + (f >> octave - 2 & 1))
+        return level + (16 if area < 0 else 0)
 
     def sight(self, side):
         test, d = self.cracks.test, self.direction
@@ -101,69 +122,76 @@ class TurnModel:
         return 0, 0
 
     def contexts(self, patch):
-        """The 15 values v and the vectors of node 0."""
-        ahead = (patch >> 7 & 1) + 2 * (patch >> 26 & 1) + 4 * (patch >> 25 & 1)
-        base = 2 * ahead + self.ink
+        """The values v and the vectors of node 0."""
+        ahead = self.ahead(patch)
         d_right, R = self.sight(1)
         d_left, L = self.sight(-1)
         level, guess = self.match.level(), self.match.guess()
         verdict = self.segment.verdict(self.direction)
         history, chord, bulge = self.last, self.chord, self.bulge
+        run, near = self.run, patch & self.NEAR
 
-        def run(k, limit):
-            return min(self.run[k], limit)
-
-        values = (
-            mix(history(6), base),
-            mix(history(12), base),
-            mix(history(18), base),
-            mix(256 * run(0, 255) + run(1, 255),
-                mix(self.bend[0] + 4 * self.bend[1], base)),
-            mix(patch & self.NEAR, mix(history(4), base)),
-            mix(patch & ~4, mix(history(1), base)),
-            mix(R, mix(history(4), base)),
-            mix(L, mix(64 * chord(16) + history(3), base)),
-            mix(R, mix(L, mix(history(3), base))),
-            mix(4 * level + guess, mix(history(2), base)),
-            mix((run(0, 127) << 14) + (run(1, 127) << 7) + run(2, 127),
-                mix(run(3, 127), base)),
-            mix(chord(32), mix(32 * history(4) + bulge(32), base)),
-            mix(4096 * chord(64) + chord(8), mix(bulge(64), base)),
-            mix(verdict, mix(history(4), base)),
-            mix(256 * verdict + min(255, self.segment.previous),
-                mix(history(2), base)))
+        values = [
+            history(12),
+            history(18),
+            (run[1] << 8 | run[0]) << 4 | self.bend[1] << 2 | self.bend[0],
+            near << 8 | history(4),
+            (patch & ~4) << 2 | history(1),
+            (L << 18 | chord(16)) << 6 | history(3),
+            (R << 10 | L) << 6 | history(3),
+            (level << 2 | guess) << 4 | history(2),
+            sum((run[k] & 127) << 8 * k for k in range(4)),
+            (chord(32) << 8 | history(4)) << 5 | bulge(32),
+            (chord(64) << 18 | chord(8)) << 5 | bulge(64),
+            (verdict << 4 | min(15, self.segment.previous)) << 6 | history(3)]
+        if self.count == 16:
+            values += [
+                history(6),
+                R << 12 | history(6),
+                (near << 10 | R) << 10 | L,
+                (chord(32) << 18 | chord(16)) << 2 | history(1)]
         vectors = (2 * min(7, d_right) + (16 if d_left > 0 else 0),
                    2 * history(4),
                    64 * ahead + 2 * (4 * level + guess))
-        return values, vectors
+        return [v << 4 | ahead << 1 | self.ink for v in values], vectors
 
     def look_up(self, values):
-        found = []
+        """The slots, and where they go if they learn."""
+        found, places = [], []
         for i, v in enumerate(values):
-            hashed = (v + i) * K & M64
-            index, check = top(self.bits[i], hashed), hashed >> 8 & 0xFFF
+            hashed = v * K & M64
+            index = top(self.bits[i], hashed)
+            check = (hashed >> 36 & 0xFFF) + 1
             slot = self.slots[i].get(index)
             if slot is None or slot[0] != check:
                 slot = [check, [32768, 0], [32768, 0]]
-                self.slots[i][index] = slot
             found.append(slot)
+            places.append((self.slots[i], index))
+        self.places = places
         return found
 
     def decide(self, coder, slots, vectors, node):
         counters = [slot[1 + node] for slot in slots]
-        x = [STRETCH[p >> 4] for p, n in counters] + [77]
-        x += [(p - 32768) * 51 * min(n, 30) >> 16 for p, n in counters] + [0]
+        gate = STRETCH[self.gate[0] >> 4] if node == 0 else 0
+        x = [STRETCH[p >> 4] for p, n in counters]
+        lean = [(p - 32768) * 51 * min(n, 30) >> 16 for p, n in counters]
+        if self.count == 12:
+            x += [77, gate, 0, 0] + lean + [0] * 4
+        else:
+            x += lean + [77, gate] + [0] * 6
         p = clamp(self.mixer.predict(x, [v + node for v in vectors]), 1, 65535)
         bit = coder.decode(p, ("bends", "side")[node])
         self.mixer.learn(bit)
         for counter in counters:
             update(counter, bit)
+        for (table, index), slot in zip(self.places, slots):
+            table[index] = slot
         return bit
 
     def turn(self, coder, x, y, allowed):
         self.x, self.y = x, y
         patch = self.patch()
-        gate = self.gates.setdefault(
+        gate = self.gate = self.gates.setdefault(
             top(16, mix(patch & self.NEAR, self.last(12)) * K), [32768, 0])
         straight = 0 in allowed
         if straight and gate[1] >= 24 and gate[0] < 512:
@@ -184,3 +212,62 @@ class TurnModel:
         if 2 not in allowed:
             return 1
         return 2 if self.decide(coder, slots, vectors, 1) else 1
+
+
+class FastTurnModel(Walker):
+    """Section "Fast turns"."""
+
+    def __init__(self, cracks):
+        self.cracks = cracks
+        self.tables = [{}, {}, {}]
+
+    def begin(self, x, y, ink):
+        self.x, self.y, self.direction, self.ink = x, y, 0, ink
+        self.history = self.lengths = 0
+
+    def advance(self, t):
+        self.history = (self.history * 4 + t) & M64
+        if t > 0:
+            self.lengths = self.lengths << 7 & 0xFFFFFFFF
+        elif self.lengths & 127 < 127:
+            self.lengths += 1
+        self.direction = (self.direction + (0, 3, 1)[t]) % 4
+
+    @staticmethod
+    def weight(n):
+        return 0 if n == 0 else 14 if n < 2 else 20 if n < 4 else (
+            26 if n < 16 else 30)
+
+    def decide(self, coder, slots, node):
+        x = sum(STRETCH[slot[1 + node][0] >> 4] * self.weight(slot[1 + node][1])
+                for slot in slots) >> 6
+        bit = coder.decode(squash(x), ("bends", "side")[node])
+        for slot in slots:
+            p, n = slot[1 + node]
+            slot[1 + node][:] = move(p, n, bit), min(127, n + 1)
+        return bit
+
+    def turn(self, coder, x, y, allowed):
+        self.x, self.y = x, y
+        patch = self.patch()
+        base = self.ahead(patch) << 1 | self.ink
+        h = self.history
+        slots = []
+        for table, value in zip(self.tables, (
+                (h & 0xFFFFFF) << 4 | base,
+                (patch & self.NEAR) << 11 | (h & 0x3FF) << 1 | self.ink,
+                self.lengths << 6 | (h & 3) << 4 | base)):
+            hashed = value * K & M64
+            check = hashed >> 33 & 0xFFFF
+            slot = table.get(top(15, hashed))
+            if slot is None or slot[0] != check:
+                slot = [check, [32768, 0], [32768, 0]]
+                table[top(15, hashed)] = slot
+            slots.append(slot)
+        if 0 in allowed and not self.decide(coder, slots, 0):
+            return 0
+        if 1 not in allowed:
+            return 2
+        if 2 not in allowed:
+            return 1
+        return 2 if self.decide(coder, slots, 1) else 1
