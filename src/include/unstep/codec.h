@@ -65,12 +65,12 @@ struct DecodeLimits {
 
 struct EncodeOptions {
   bool verify = true;  ///< decode every block and compare before success
-  /// Of ink pages. fast: a few direct models; max: more models and memory.
-  Effort effort = Effort::standard;
   int bands = 0;      ///< per raster page; 0: one, more above 64 Mpx
   int jobs = 1;       ///< threads; the bytes never depend on it
   Metadata metadata;  ///< of the file
   Progress progress;
+  /// Of ink pages. fast: a few direct models; max: more models and memory.
+  Effort effort = Effort::standard;
 };
 
 struct DecodeOptions {
