@@ -94,7 +94,7 @@ std::optional<FittedArc> circle_through(const RunPoint& a, const RunPoint& b,
   const double bb = bx * bx + by * by;
   const double cc = cx * cx + cy * cy;
   return FittedArc{a.x + (cy * bb - by * cc) / d, a.y + (bx * cc - cx * bb) / d,
-                   d < 0};
+                   d < 0, 0};
 }
 
 /// Centres on the grid near `arc`, the nearest first.
@@ -125,6 +125,24 @@ bool near_start(const RunPoint& start, const RunPoint& point, double t) {
   const double x = point.x - start.x;
   const double y = point.y - start.y;
   return x * x + y * y <= t * t;
+}
+
+/// The arc whose radius is on the grid, and its centre what follows from it.
+std::optional<FittedArc> round_radius(const Polyline& run, std::size_t first,
+                                      std::size_t last, const ChordFrame& frame,
+                                      double height, bool clockwise,
+                                      const ArcFitOptions& options) {
+  // The centre is beyond the chord: at most a half turn.
+  if ((height > 0) == clockwise && height != 0) return std::nullopt;
+  const double g = options.grid;
+  const double radius = std::round(std::hypot(frame.half, height) / g) * g;
+  const double square = (radius - frame.half) * (radius + frame.half);
+  if (square <= 0) return std::nullopt;
+  const double h = clockwise ? -std::sqrt(square) : std::sqrt(square);
+  const FittedArc arc{frame.x - h * frame.uy, frame.y + h * frame.ux, clockwise,
+                      radius};
+  if (!arc_fits(run, first, last, arc, options)) return std::nullopt;
+  return arc;
 }
 
 }  // namespace
@@ -200,10 +218,13 @@ bool arc_fits(const Polyline& run, std::size_t first, std::size_t last,
   const double side = (sx * ey - sy * ex) * turn;
   const double ahead = sx * ex + sy * ey;
   if (ahead > 0 && (side <= 0) != second_half) return false;
-  if (options.rules.max_sweep_degrees < 360) {
+  const double most = options.rules.by_radius
+                          ? std::min(170.0, options.rules.max_sweep_degrees)
+                          : options.rules.max_sweep_degrees;
+  if (most < 360) {
     double sweep = std::atan2(side, ahead) * 180 / std::numbers::pi;
     if (sweep <= 0) sweep += 360;
-    if (sweep > options.rules.max_sweep_degrees) return false;
+    if (sweep > most) return false;
   }
   return true;
 }
@@ -231,12 +252,16 @@ std::optional<FittedArc> fit_arc(const Polyline& run, std::size_t first,
       });
   if (possible && frame.half > 0) {
     const double h = heights.middle();
+    if (options.rules.by_radius) {
+      return round_radius(run, first, last, frame, h, farthest > 0, options);
+    }
     const FittedArc arc{frame.x - h * frame.uy, frame.y + h * frame.ux,
-                        farthest > 0};
+                        farthest > 0, 0};
     if (const auto rounded = round_centre(run, first, last, arc, options)) {
       return rounded;
     }
   }
+  if (options.rules.by_radius) return std::nullopt;
   // Where the ends nearly meet, their chord tells little of the direction in
   // which the centre lies.
   if (std::abs(farthest) < 8 * frame.half) return std::nullopt;
