@@ -55,7 +55,12 @@ class HeightRange {
     high_ = std::min(high_, (b + root) / a);
     return low_ <= high_;
   }
-  [[nodiscard]] double middle() const { return (low_ + high_) / 2; }
+  /// The middle of their curvatures; `wanted`, as near as it comes, where the
+  /// chord's middle is among them.
+  [[nodiscard]] double choose(double wanted) const {
+    if (low_ * high_ > 0) return 2 / (1 / low_ + 1 / high_);
+    return std::clamp(wanted, low_, high_);
+  }
 
  private:
   double half_;
@@ -82,19 +87,37 @@ bool for_samples(const Polyline& run, std::size_t first, std::size_t last,
   return true;
 }
 
-/// The circle through three points; nothing if they are on a line.
-std::optional<FittedArc> circle_through(const RunPoint& a, const RunPoint& b,
-                                        const RunPoint& c) {
-  const double bx = b.x - a.x;
-  const double by = b.y - a.y;
-  const double cx = c.x - a.x;
-  const double cy = c.y - a.y;
-  const double d = 2 * (bx * cy - by * cx);
-  if (d == 0) return std::nullopt;
-  const double bb = bx * bx + by * by;
-  const double cc = cx * cx + cy * cy;
-  return FittedArc{a.x + (cy * bb - by * cc) / d, a.y + (bx * cc - cx * bb) / d,
-                   d < 0, 0};
+/// The circle nearest to vertices spread over the run, by least squares of
+/// |p - c|^2 - r^2 [Kasa 1976]; nothing if they are on a line.
+std::optional<FittedArc> nearest_circle(const Polyline& run, std::size_t first,
+                                        std::size_t last) {
+  constexpr std::size_t kMost = 64;
+  const std::size_t count = std::min(last - first, kMost);
+  const auto sample = [&](std::size_t k) {
+    return run.vertex[first + k * (last - first) / count];
+  };
+  double mx = 0;
+  double my = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    mx += sample(k).x / static_cast<double>(count);
+    my += sample(k).y / static_cast<double>(count);
+  }
+  double uu = 0, uv = 0, vv = 0, ul = 0, vl = 0, turn = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double u = sample(k).x - mx;
+    const double v = sample(k).y - my;
+    uu += u * u;
+    uv += u * v;
+    vv += v * v;
+    ul += u * (u * u + v * v) / 2;
+    vl += v * (u * u + v * v) / 2;
+    const RunPoint next = sample((k + 1) % count);
+    turn += u * (next.y - my) - v * (next.x - mx);
+  }
+  const double d = uu * vv - uv * uv;
+  if (d <= 0) return std::nullopt;
+  return FittedArc{mx + (ul * vv - vl * uv) / d, my + (vl * uu - ul * uv) / d,
+                   turn < 0, 0};
 }
 
 /// Centres on the grid near `arc`, the nearest first.
@@ -241,17 +264,19 @@ std::optional<FittedArc> fit_arc(const Polyline& run, std::size_t first,
   if (t <= 0) return std::nullopt;
   HeightRange heights(frame.half, t, most);
   double farthest = 0;
-  double reach = 0;
+  double through = 0;  // the height of the circle through the farthest
   const bool possible =
       for_samples(run, first, last, [&](double px, double py) {
         const double x = frame.along(px, py);
         const double y = frame.across(px, py);
-        if (std::abs(y) > std::abs(farthest)) farthest = y;
-        reach = std::max(reach, std::abs(x));
+        if (std::abs(y) > std::abs(farthest)) {
+          farthest = y;
+          through = (x * x + y * y - frame.half * frame.half) / (2 * y);
+        }
         return heights.add(x, y);
       });
   if (possible && frame.half > 0) {
-    const double h = heights.middle();
+    const double h = heights.choose(through);
     if (options.rules.by_radius) {
       return round_radius(run, first, last, frame, h, farthest > 0, options);
     }
@@ -265,9 +290,7 @@ std::optional<FittedArc> fit_arc(const Polyline& run, std::size_t first,
   // Where the ends nearly meet, their chord tells little of the direction in
   // which the centre lies.
   if (std::abs(farthest) < 8 * frame.half) return std::nullopt;
-  const std::size_t third = (last - first) / 3;
-  const auto circle = circle_through(
-      run.vertex[first], run.vertex[first + third], run.vertex[last - third]);
+  const auto circle = nearest_circle(run, first, last);
   if (!circle) return std::nullopt;
   return round_centre(run, first, last, *circle, options);
 }

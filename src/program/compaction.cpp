@@ -55,6 +55,7 @@ class Compaction {
   }
 
   Result<Program> make(CompactReport& report) {
+    find_exact();
     for (std::size_t i = 0; i < in_.items.size();) {
       const std::size_t end = run_end(i);
       if (end > i) {
@@ -162,11 +163,21 @@ class Compaction {
   /// follows builds on it.
   [[nodiscard]] bool needs_exact(std::size_t index) const {
     const ProgramItem& item = in_.items[index];
-    if (item.is_arc() || item.keep_text) return true;
-    if (index + 1 == in_.items.size()) return false;
-    const ProgramItem& next = in_.items[index + 1];
-    return next.keep_text || next.unknown_effect || next.is_arc() ||
-           next.modes != item.modes || next.known != item.known;
+    return item.is_arc() || item.keep_text || exact_before_[index + 1];
+  }
+
+  /// For each item, whether it needs the exact position before it. Text that
+  /// does nothing passes on what comes next.
+  void find_exact() {
+    exact_before_.assign(in_.items.size() + 1, false);
+    for (std::size_t i = in_.items.size(); i-- > 0;) {
+      const ProgramItem& item = in_.items[i];
+      const ProgramItem& from = before(i);
+      exact_before_[i] = item.keep_text || item.unknown_effect ||
+                         item.is_arc() || item.modes != from.modes ||
+                         item.known != from.known ||
+                         (!item.is_motion() && exact_before_[i + 1]);
+    }
   }
 
   [[nodiscard]] std::int64_t grid(const ProgramItem& item) const {
@@ -304,6 +315,7 @@ class Compaction {
   double tolerance_;
   Program out_;
   std::array<std::int64_t, 3> written_{};  ///< where the output is
+  std::vector<bool> exact_before_;
   Polyline run_;
   std::vector<std::array<std::int64_t, 3>> run_ends_;
   std::array<std::int64_t, 3> run_origin_{};
