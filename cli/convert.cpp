@@ -12,6 +12,7 @@
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/program.h"
 #include "cli/progress.h"
 #include "cli/source.h"
 #include "cli/unpack.h"
@@ -27,6 +28,7 @@ struct ConvertOptions {
   std::uint64_t page = 0;  ///< 1-based; 0: all
   InputOptions read;
   LineOptions lines;
+  ProgramOptions program;
   Effort effort = Effort::standard;
   bool quiet = false;
   bool force = false;
@@ -39,6 +41,7 @@ constexpr const char* kExamples =
     "  unstep convert part.svg part.dxf               vertices as they are\n"
     "  unstep convert part.dxf part.png --grid 0.1mm  drawn, 0.1 mm a pixel\n"
     "  unstep convert plan.ustp plan.pdf\n"
+    "  unstep convert in.ngc out.ngc --tolerance 0.005mm  fewer, longer moves\n"
     "  unstep convert - - --to hpgl --tolerance 1 < scan.pbm > scan.plt\n";
 
 /// Warnings are about the file that they come from.
@@ -124,6 +127,11 @@ ExitCode write_files(const ConvertOptions& options, Source& source,
 }
 
 ExitCode convert(ConvertOptions options) {
+  if (names_program(options.input) && names_program(options.output)) {
+    return convert_program(
+        {options.input, options.output, options.force, options.quiet},
+        options.program, options.lines);
+  }
   if (!options.to) {
     if (options.output == "-") {
       return report_usage("convert", "standard output needs --to FORMAT");
@@ -181,6 +189,7 @@ void add_convert(CLI::App& app, Context& context) {
   add_page(*verb, options->page);
   add_lines(*verb, options->lines);
   add_effort(*verb, options->effort);
+  add_program(*verb, options->program);
   add_input_kind(*verb, options->read);
   add_jobs(*verb, options->read.jobs);
   add_limits(*verb, options->read.limits);

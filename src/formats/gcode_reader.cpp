@@ -548,7 +548,7 @@ bool Reader::run_motion(const LineCodes& codes, bool plain) {
   const ProgramModes& modes = state_.modes;
   const std::uint16_t axes = axes_of(block_.values);
   if (!state_.mode || *state_.mode == Kind::text) {
-    state_.forget_position(axes);
+    state_.forget_position(kAllProgramAxes);
     return not_understood("axis words in a motion mode that is not known") &&
            add_text(true);
   }

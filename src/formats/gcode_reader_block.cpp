@@ -257,6 +257,7 @@ bool GcodeLineReader::read_value(std::int64_t& fixed, int& decimals,
     negative = peek() == '-';
     ++at_;
     skip_blanks();
+    if (peek() == '-' || peek() == '+') return fail("a number with two signs");
   }
   if (is_digit(peek()) || peek() == '.') {
     return read_plain(negative, fixed, decimals);

@@ -55,7 +55,12 @@ class HeightRange {
     high_ = std::min(high_, (b + root) / a);
     return low_ <= high_;
   }
-  [[nodiscard]] double middle() const { return (low_ + high_) / 2; }
+  /// The middle of their curvatures; `wanted`, as near as it comes, where the
+  /// chord's middle is among them.
+  [[nodiscard]] double choose(double wanted) const {
+    if (low_ * high_ > 0) return 2 / (1 / low_ + 1 / high_);
+    return std::clamp(wanted, low_, high_);
+  }
 
  private:
   double half_;
@@ -82,19 +87,37 @@ bool for_samples(const Polyline& run, std::size_t first, std::size_t last,
   return true;
 }
 
-/// The circle through three points; nothing if they are on a line.
-std::optional<FittedArc> circle_through(const RunPoint& a, const RunPoint& b,
-                                        const RunPoint& c) {
-  const double bx = b.x - a.x;
-  const double by = b.y - a.y;
-  const double cx = c.x - a.x;
-  const double cy = c.y - a.y;
-  const double d = 2 * (bx * cy - by * cx);
-  if (d == 0) return std::nullopt;
-  const double bb = bx * bx + by * by;
-  const double cc = cx * cx + cy * cy;
-  return FittedArc{a.x + (cy * bb - by * cc) / d, a.y + (bx * cc - cx * bb) / d,
-                   d < 0};
+/// The circle nearest to vertices spread over the run, by least squares of
+/// |p - c|^2 - r^2 [Kasa 1976]; nothing if they are on a line.
+std::optional<FittedArc> nearest_circle(const Polyline& run, std::size_t first,
+                                        std::size_t last) {
+  constexpr std::size_t kMost = 64;
+  const std::size_t count = std::min(last - first, kMost);
+  const auto sample = [&](std::size_t k) {
+    return run.vertex[first + k * (last - first) / count];
+  };
+  double mx = 0;
+  double my = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    mx += sample(k).x / static_cast<double>(count);
+    my += sample(k).y / static_cast<double>(count);
+  }
+  double uu = 0, uv = 0, vv = 0, ul = 0, vl = 0, turn = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double u = sample(k).x - mx;
+    const double v = sample(k).y - my;
+    uu += u * u;
+    uv += u * v;
+    vv += v * v;
+    ul += u * (u * u + v * v) / 2;
+    vl += v * (u * u + v * v) / 2;
+    const RunPoint next = sample((k + 1) % count);
+    turn += u * (next.y - my) - v * (next.x - mx);
+  }
+  const double d = uu * vv - uv * uv;
+  if (d <= 0) return std::nullopt;
+  return FittedArc{mx + (ul * vv - vl * uv) / d, my + (vl * uu - ul * uv) / d,
+                   turn < 0, 0};
 }
 
 /// Centres on the grid near `arc`, the nearest first.
@@ -125,6 +148,24 @@ bool near_start(const RunPoint& start, const RunPoint& point, double t) {
   const double x = point.x - start.x;
   const double y = point.y - start.y;
   return x * x + y * y <= t * t;
+}
+
+/// The arc whose radius is on the grid, and its centre what follows from it.
+std::optional<FittedArc> round_radius(const Polyline& run, std::size_t first,
+                                      std::size_t last, const ChordFrame& frame,
+                                      double height, bool clockwise,
+                                      const ArcFitOptions& options) {
+  // The centre is beyond the chord: at most a half turn.
+  if ((height > 0) == clockwise && height != 0) return std::nullopt;
+  const double g = options.grid;
+  const double radius = std::round(std::hypot(frame.half, height) / g) * g;
+  const double square = (radius - frame.half) * (radius + frame.half);
+  if (square <= 0) return std::nullopt;
+  const double h = clockwise ? -std::sqrt(square) : std::sqrt(square);
+  const FittedArc arc{frame.x - h * frame.uy, frame.y + h * frame.ux, clockwise,
+                      radius};
+  if (!arc_fits(run, first, last, arc, options)) return std::nullopt;
+  return arc;
 }
 
 }  // namespace
@@ -200,10 +241,13 @@ bool arc_fits(const Polyline& run, std::size_t first, std::size_t last,
   const double side = (sx * ey - sy * ex) * turn;
   const double ahead = sx * ex + sy * ey;
   if (ahead > 0 && (side <= 0) != second_half) return false;
-  if (options.rules.max_sweep_degrees < 360) {
+  const double most = options.rules.by_radius
+                          ? std::min(170.0, options.rules.max_sweep_degrees)
+                          : options.rules.max_sweep_degrees;
+  if (most < 360) {
     double sweep = std::atan2(side, ahead) * 180 / std::numbers::pi;
     if (sweep <= 0) sweep += 360;
-    if (sweep > options.rules.max_sweep_degrees) return false;
+    if (sweep > most) return false;
   }
   return true;
 }
@@ -220,29 +264,33 @@ std::optional<FittedArc> fit_arc(const Polyline& run, std::size_t first,
   if (t <= 0) return std::nullopt;
   HeightRange heights(frame.half, t, most);
   double farthest = 0;
-  double reach = 0;
+  double through = 0;  // the height of the circle through the farthest
   const bool possible =
       for_samples(run, first, last, [&](double px, double py) {
         const double x = frame.along(px, py);
         const double y = frame.across(px, py);
-        if (std::abs(y) > std::abs(farthest)) farthest = y;
-        reach = std::max(reach, std::abs(x));
+        if (std::abs(y) > std::abs(farthest)) {
+          farthest = y;
+          through = (x * x + y * y - frame.half * frame.half) / (2 * y);
+        }
         return heights.add(x, y);
       });
   if (possible && frame.half > 0) {
-    const double h = heights.middle();
+    const double h = heights.choose(through);
+    if (options.rules.by_radius) {
+      return round_radius(run, first, last, frame, h, farthest > 0, options);
+    }
     const FittedArc arc{frame.x - h * frame.uy, frame.y + h * frame.ux,
-                        farthest > 0};
+                        farthest > 0, 0};
     if (const auto rounded = round_centre(run, first, last, arc, options)) {
       return rounded;
     }
   }
+  if (options.rules.by_radius) return std::nullopt;
   // Where the ends nearly meet, their chord tells little of the direction in
   // which the centre lies.
   if (std::abs(farthest) < 8 * frame.half) return std::nullopt;
-  const std::size_t third = (last - first) / 3;
-  const auto circle = circle_through(
-      run.vertex[first], run.vertex[first + third], run.vertex[last - third]);
+  const auto circle = nearest_circle(run, first, last);
   if (!circle) return std::nullopt;
   return round_centre(run, first, last, *circle, options);
 }

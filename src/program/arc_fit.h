@@ -14,6 +14,7 @@ struct FittedArc {
   double x = 0;
   double y = 0;
   bool clockwise = false;
+  double radius = 0;  ///< if the rules want it, else 0
 };
 
 struct ArcFitOptions {

@@ -55,6 +55,7 @@ class Compaction {
   }
 
   Result<Program> make(CompactReport& report) {
+    find_exact();
     for (std::size_t i = 0; i < in_.items.size();) {
       const std::size_t end = run_end(i);
       if (end > i) {
@@ -162,11 +163,21 @@ class Compaction {
   /// follows builds on it.
   [[nodiscard]] bool needs_exact(std::size_t index) const {
     const ProgramItem& item = in_.items[index];
-    if (item.is_arc() || item.keep_text) return true;
-    if (index + 1 == in_.items.size()) return false;
-    const ProgramItem& next = in_.items[index + 1];
-    return next.keep_text || next.unknown_effect || next.is_arc() ||
-           next.modes != item.modes || next.known != item.known;
+    return item.is_arc() || item.keep_text || exact_before_[index + 1];
+  }
+
+  /// For each item, whether it needs the exact position before it. Text that
+  /// does nothing passes on what comes next.
+  void find_exact() {
+    exact_before_.assign(in_.items.size() + 1, false);
+    for (std::size_t i = in_.items.size(); i-- > 0;) {
+      const ProgramItem& item = in_.items[i];
+      const ProgramItem& from = before(i);
+      exact_before_[i] = item.keep_text || item.unknown_effect ||
+                         item.is_arc() || item.modes != from.modes ||
+                         item.known != from.known ||
+                         (!item.is_motion() && exact_before_[i + 1]);
+    }
   }
 
   [[nodiscard]] std::int64_t grid(const ProgramItem& item) const {
@@ -225,16 +236,31 @@ class Compaction {
     const bool arcs_known = in_.modes[first.modes].plane.has_value() &&
                             in_.modes[first.modes].absolute_centres.has_value();
     cover.arcs = options_.arcs && arcs_known;
-    cover.arc.grid = static_cast<double>(
-        in_.decimals == 0 || step > 1 ? step : own_grid(first));
+    cover.arc.grid =
+        static_cast<double>(centre_grid(step > 1 ? step : own_grid(first)));
     const double rounding = step > 1 ? static_cast<double>(step) : 0;
     const double square = tolerance_ * tolerance_ - 1.5 * rounding * rounding;
     cover.arc.tolerance = square > 0 ? std::sqrt(square) : 0;
+    // The ends of quadrants are rounded to 0.1 um.
+    if (options_.rules.quadrants) cover.arc.tolerance -= 1e-4 * kPerMm;
     cover.arc.rules = options_.rules;
     cover_run(run_, cover, pieces_);
+    const std::size_t before_run = out_.items.size();
     for (const CoverPiece& piece : pieces_) {
-      write_piece(begin, piece, axes);
+      // One motion stays even where none moves: it sets mode and feed.
+      const bool last = &piece == &pieces_.back();
+      const bool needed = last && out_.items.size() == before_run;
+      write_piece(begin, piece, axes, needed);
     }
+  }
+
+  /// Centres may need more decimals than a program of whole numbers has.
+  [[nodiscard]] std::int64_t centre_grid(std::int64_t step) const {
+    while (static_cast<double>(step) * 0.87 * 8 > tolerance_ &&
+           step % 10 == 0) {
+      step /= 10;
+    }
+    return step;
   }
 
   /// The grid of the program's own decimals.
@@ -266,7 +292,7 @@ class Compaction {
   }
 
   void write_piece(std::size_t begin, const CoverPiece& piece,
-                   const std::array<std::size_t, 3>& axes) {
+                   const std::array<std::size_t, 3>& axes, bool needed) {
     ProgramItem item = in_.items[begin + piece.last - 1];
     const bool moves =
         run_ends_[piece.last] != written_ ||
@@ -274,9 +300,10 @@ class Compaction {
     item.end = run_ends_[piece.last];
     if (piece.is_arc) {
       item.kind = piece.arc.clockwise ? Kind::clockwise : Kind::counter;
+      item.radius = std::llround(piece.arc.radius);
       item.centre = {run_origin_[axes[0]] + std::llround(piece.arc.x),
                      run_origin_[axes[1]] + std::llround(piece.arc.y)};
-    } else if (!moves) {
+    } else if (!moves && !needed) {
       return;
     }
     written_ = item.end;
@@ -288,6 +315,7 @@ class Compaction {
   double tolerance_;
   Program out_;
   std::array<std::int64_t, 3> written_{};  ///< where the output is
+  std::vector<bool> exact_before_;
   Polyline run_;
   std::vector<std::array<std::int64_t, 3>> run_ends_;
   std::array<std::int64_t, 3> run_origin_{};
@@ -302,9 +330,25 @@ Result<Program> compact(const Program& program, const CompactOptions& options,
     return Error{ErrorCode::out_of_range,
                  "the tolerance of a program is 0.00001 mm to 1 km"};
   }
+  if (options.decimals >= 0) {
+    // The rounding of a corner is at most 0.87 of a decimal.
+    double rounding = 8.7;
+    for (int i = 0; i < options.decimals; ++i) rounding /= 10;
+    for (const ProgramModes& modes : program.modes) {
+      const double unit = modes.inches == true ? 25.4 : 1;
+      if (options.decimals < program.decimals &&
+          rounding / 10 * unit > options.tolerance_mm / 4) {
+        return Error{ErrorCode::out_of_range,
+                     "too few decimals for the tolerance"};
+      }
+    }
+  }
   try {
     CompactReport done;
     Result<Program> made = Compaction(program, options).make(done);
+    if (made && options.rules.quadrants) {
+      made = split_arcs(*made, options.rules);
+    }
     if (report != nullptr) *report = done;
     return made;
   } catch (const std::bad_alloc&) {

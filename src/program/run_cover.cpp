@@ -47,8 +47,13 @@ class Cover {
       if (arc) best = *arc;
       return arc.has_value();
     };
+    // Just beyond the line rounding may hide an arc that shows farther on.
     std::size_t first = std::max(line + 1, at + 2);
-    if (first > end || !fits(first)) return;
+    if (first > end) return;
+    if (!fits(first)) {
+      first = std::min(end, line + (line - at) / 2 + 1);
+      if (!fits(first)) return;
+    }
     const std::size_t last = gallop(first, end, fits);
     if (lines_for(at, last) <= options_.arc_cost) return;
     // `best` is of the last that fitted, which is what was found.

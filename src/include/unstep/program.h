@@ -184,6 +184,9 @@ struct ArcRules {
   double max_radius_mm = 10'000;
   double max_sweep_degrees = 360;  ///< of one arc; below 360: no full circles
   bool quadrants = false;          ///< no arc passes an extreme of its circle
+  /// Arcs are written by R: checked with the centre that follows from it, and
+  /// of at most 170 degrees.
+  bool by_radius = false;
 };
 
 struct CompactOptions {
@@ -191,7 +194,7 @@ struct CompactOptions {
   /// never more, in x, y and z, with the rounding of the output.
   double tolerance_mm = 0.005;
   bool arcs = true;
-  ArcRules rules;
+  ArcRules rules{};
   /// Decimals of positions, in the program's own unit. Below 0: as many as
   /// the tolerance needs, never more than the program has.
   int decimals = -1;
@@ -210,7 +213,8 @@ struct CompactReport {
 /// plane in force. Feed, spindle and modes are the same over what is merged,
 /// and nothing stands between. Rapids, arcs, text and motions from or to a
 /// position that is not known stay. Where text depends on the exact position,
-/// it is exact. out_of_range for the options.
+/// it is exact.
+/// out_of_range for the options.
 Result<Program> compact(const Program& program, const CompactOptions& options,
                         CompactReport* report = nullptr);
 
