@@ -83,8 +83,8 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
         (static_cast<double>(index) + part) / static_cast<double>(count),
         packed.pixels + pixels);
   };
-  UstpWriter writer(
-      {options.verify, options.bands, jobs, options.metadata, progress});
+  UstpWriter writer({options.verify, options.bands, jobs, options.metadata,
+                     progress, options.effort});
   for (; index < count; ++index) {
     Result<SourcePage> page = source.read(index);
     if (!page) {
