@@ -88,8 +88,8 @@ void measure(const Drawing& drawing, Sums& sums) {
 
 int main(int argc, char** argv) {
   Sums sums;
-  for (const std::string name :
-       std::vector<std::string>(argv + 1, argv + argc)) {
+  const std::vector<std::string> names(argv + 1, argv + argc);
+  for (const std::string& name : names) {
     const Result<Drawing> drawing = contours_of(name);
     if (!drawing) {
       std::fprintf(stderr, "%s: %s\n", name.c_str(),

@@ -173,8 +173,8 @@ TEST(ReverseTolerance, ThinRingsDoNotCross) {
 
 TEST(ReverseTolerance, ContoursOfTheSamplesDoNotCross) {
   for (const char* name : {"glyph.pbm", "crown.png", "molecule-8bit.png"}) {
-    const auto bytes = read_file(
-        std::string(UNSTEP_SOURCE_DIR) + "/samples/" + name, 1U << 24);
+    const auto bytes =
+        read_file(std::string(UNSTEP_SOURCE_DIR "/samples/") + name, 1U << 24);
     ASSERT_TRUE(bytes);
     auto file = RasterReader::open(*bytes, {});
     ASSERT_TRUE(file);

@@ -290,7 +290,7 @@ TEST(ReverseExact, AClosedChainThatIsOneLineIsOneLap) {
 TEST(ReverseExact, ContoursOfRealDrawings) {
   for (const char* name : {"crown.png", "molecule-8bit.png", "glyph.pbm"}) {
     auto bytes =
-        read_file(std::string(UNSTEP_SOURCE_DIR) + "/samples/" + name, 1 << 24);
+        read_file(std::string(UNSTEP_SOURCE_DIR "/samples/") + name, 1 << 24);
     ASSERT_TRUE(bytes);
     RasterReadOptions options;
     options.threshold = {Threshold::Kind::fixed, 128};

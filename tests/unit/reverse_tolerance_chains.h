@@ -21,7 +21,7 @@ inline Chain random_chain(std::mt19937& random, std::size_t steps,
   std::vector<Step> result(steps);
   std::uint32_t step = random() % 8;
   for (Step& code : result) {
-    if (random() % turning == 0) step += random() % 2 == 0 ? 1 : 7;
+    if (random() % turning == 0) step += random() % 2 == 0 ? 1U : 7U;
     code = static_cast<Step>(step % 8);
   }
   return open_chain(result);
