@@ -35,14 +35,10 @@ constexpr const char* kExamples =
     "  unstep reverse --method exact < steps.txt       'S0 S1 N A W R' per "
     "segment\n"
     "\n"
-    "A segment is printed as soon as it is known to end. Codes are 0 (east), 1 "
-    "(north-\n"
-    "east), 2 (north) to 7; device and gate-level refuse diagonal steps. "
-    "Segments "
-    "of\n"
-    "exact give back every step: step i of N is S1 if (A (i + 1) + R) / W, "
-    "rounded\n"
-    "down, exceeds (A i + R) / W, else S0.\n";
+    "A segment is printed as soon as it is known to end. Codes are 0 (east),\n"
+    "1 (north-east), 2 (north) to 7; device and gate-level refuse diagonal\n"
+    "steps. Segments of exact give back every step: step i of N is S1 if\n"
+    "(A (i + 1) + R) / W, rounded down, exceeds (A i + R) / W, else S0.\n";
 
 ExitCode refuse(ErrorCode code, const std::string& reason) {
   return report_error("standard input", {code, reason});

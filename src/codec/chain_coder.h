@@ -7,7 +7,7 @@
 /// Coder 16: chains under mixed models, docs/format.md.
 namespace unstep::codec {
 
-inline constexpr std::uint8_t kChainRevision = 1;  ///< of the encoder
+inline constexpr std::uint8_t kChainRevision = 0;
 
 /// Everything of a chain but its steps.
 struct ChainHead {

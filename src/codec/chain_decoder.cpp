@@ -38,20 +38,6 @@ class DecoderSide {
   std::vector<Chain> chains_;
 };
 
-template <class Heads>
-Result<std::vector<Chain>> decode(std::span<const std::uint8_t> payload,
-                                  std::uint64_t count, std::uint64_t steps,
-                                  YAxis axis, const BlockProgress& progress) {
-  DecoderSide side(payload, axis);
-  ChainScan<DecoderSide, Heads> scan(side, count, steps);
-  const Status status = scan.run(progress);
-  if (!status) return status.error();
-  if (!side.coder().finished()) {
-    return Error{ErrorCode::corrupt, "chain payload has unused bytes"};
-  }
-  return side.take();
-}
-
 }  // namespace
 
 Result<std::vector<Chain>> decode_chains(const CoderName& name,
@@ -59,16 +45,20 @@ Result<std::vector<Chain>> decode_chains(const CoderName& name,
                                          std::uint64_t count,
                                          std::uint64_t steps, YAxis axis,
                                          const BlockProgress& progress) {
-  if (name == CoderName{kCoderChains, 0, 0}) {
-    return decode<ChainHeadModel>(payload, count, steps, axis, progress);
+  if (name != CoderName{kCoderChains, kChainRevision, 0}) {
+    return Error{ErrorCode::unsupported_version,
+                 "chain coder " + std::to_string(name.coder) + " revision " +
+                     std::to_string(name.revision) + " table " +
+                     std::to_string(name.table) + " is unknown"};
   }
-  if (name == CoderName{kCoderChains, kChainRevision, 0}) {
-    return decode<ChainStartModel>(payload, count, steps, axis, progress);
+  DecoderSide side(payload, axis);
+  ChainScan<DecoderSide> scan(side, count, steps);
+  const Status status = scan.run(progress);
+  if (!status) return status.error();
+  if (!side.coder().finished()) {
+    return Error{ErrorCode::corrupt, "chain payload has unused bytes"};
   }
-  return Error{ErrorCode::unsupported_version,
-               "chain coder " + std::to_string(name.coder) + " revision " +
-                   std::to_string(name.revision) + " table " +
-                   std::to_string(name.table) + " is unknown"};
+  return side.take();
 }
 
 }  // namespace unstep::codec

@@ -46,8 +46,7 @@ Result<EncodedBlock> encode_chains(std::span<const Chain> chains, YAxis axis,
   const Result<ChainSurvey> survey = survey_chains(chains, axis);
   if (!survey) return survey.error();
   EncoderSide side(chains, axis);
-  ChainScan<EncoderSide, ChainStartModel> scan(side, chains.size(),
-                                               survey->steps);
+  ChainScan<EncoderSide> scan(side, chains.size(), survey->steps);
   const Status status = scan.run(progress);
   if (!status) return status.error();
   return EncodedBlock{{kCoderChains, kChainRevision, 0}, side.coder().finish()};

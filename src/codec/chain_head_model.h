@@ -48,63 +48,15 @@ class ChainKindModel {
   return x >= -kMaxCoord && x <= kMaxCoord && y >= -kMaxCoord && y <= kMaxCoord;
 }
 
-/// Revision 0 of everything of a chain but its steps: the origin by its
-/// difference to the end of the chain before.
+/// Everything of a chain but its steps: the origin by the density of what
+/// chains have visited.
 class ChainHeadModel {
  public:
-  explicit ChainHeadModel(std::uint64_t /*chains*/) {}
+  explicit ChainHeadModel(std::uint64_t chains)
+      : starts_(chains < 2'000 ? 13 : 15) {}
 
   /// log2 of the step model's slots per context, a rule of the payload's steps
   /// only, so that it need not be stored.
-  static constexpr int table_bits(std::uint64_t steps) {
-    return steps < 5'000 ? 10 : steps < 50'000 ? 12 : 16;
-  }
-
-  template <class Coder>
-  void code_frame(Coder& /*coder*/, const StartFrame& /*frame*/) {}
-
-  /// `left`: the steps that are left of the payload. `last`: it is the last
-  /// chain and has all of them. The result is what was coded, not checked.
-  template <class Coder>
-  ChainHead code(Coder& coder, const ChainHead& head, std::uint64_t left,
-                 bool last) {
-    ChainHead h;
-    kind_.code_kind(coder, head, h);
-    const std::int64_t dx =
-        moves_[0].code(coder, std::int64_t{head.origin.x} - end_.x);
-    const auto size = static_cast<std::uint64_t>(dx < 0 ? -dx : dx);
-    const auto far = static_cast<std::size_t>(
-        std::min(3, (static_cast<int>(std::bit_width(size)) + 2) / 3));
-    const std::int64_t dy =
-        moves_[1 + far].code(coder, std::int64_t{head.origin.y} - end_.y);
-    outside_ = !in_coordinate_range(end_.x + dx, end_.y + dy);
-    if (!outside_) {
-      h.origin = {static_cast<std::int32_t>(end_.x + dx),
-                  static_cast<std::int32_t>(end_.y + dy)};
-    }
-    h.steps = last ? left : kind_.code_steps(coder, head.steps);
-    return h;
-  }
-
-  /// Whether the last origin was out of the coordinate range.
-  [[nodiscard]] bool outside() const { return outside_; }
-
-  void visit(Point at) { end_ = at; }
-
- private:
-  ChainKindModel kind_;
-  std::array<SignedNumberModel, 5> moves_;
-  Point end_;  ///< of the chain before
-  bool outside_ = false;
-};
-
-/// Revision 1: the origin by the density of what chains have visited.
-class ChainStartModel {
- public:
-  explicit ChainStartModel(std::uint64_t chains)
-      : starts_(chains < 2'000 ? 13 : 15) {}
-
-  /// As ChainHeadModel::table_bits.
   static constexpr int table_bits(std::uint64_t steps) {
     return steps < 5'000 ? 12 : steps < 50'000 ? 14 : 16;
   }
@@ -114,7 +66,8 @@ class ChainStartModel {
     starts_.code_frame(coder, frame);
   }
 
-  /// As ChainHeadModel::code.
+  /// `left`: the steps that are left of the payload. `last`: it is the last
+  /// chain and has all of them. The result is what was coded, not checked.
   template <class Coder>
   ChainHead code(Coder& coder, const ChainHead& head, std::uint64_t left,
                  bool last) {
@@ -131,6 +84,7 @@ class ChainStartModel {
     return h;
   }
 
+  /// Whether the last origin was out of the coordinate range.
   [[nodiscard]] bool outside() const { return outside_; }
 
   /// Every fourth point is enough for the density.

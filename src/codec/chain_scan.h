@@ -23,8 +23,7 @@ namespace unstep::codec {
 ///
 /// The decoder's answers to the questions are never looked at. Here y grows
 /// with Freeman code 2, whatever the canvas says.
-/// `Heads` is the model of the revision.
-template <class Side, class Heads>
+template <class Side>
 class ChainScan {
  public:
   ChainScan(Side& side, std::uint64_t count, std::uint64_t steps)
@@ -32,7 +31,7 @@ class ChainScan {
         count_(count),
         left_(steps),
         heads_(count),
-        model_(Heads::table_bits(steps)) {}
+        model_(ChainHeadModel::table_bits(steps)) {}
 
   Status run(const BlockProgress& progress) {
     if (count_ > 0) heads_.code_frame(side_.coder(), side_.frame());
@@ -77,7 +76,7 @@ class ChainScan {
   Side& side_;
   std::uint64_t count_;
   std::uint64_t left_;  ///< steps of the chains to come
-  Heads heads_;
+  ChainHeadModel heads_;
   ChainModel model_;
 };
 

@@ -100,6 +100,7 @@ class Compress(harness.CliTest):
         self.assertEqual(json.loads(result.out), {
             "input": "page.pbm", "output": "page.ustp", "format": "pbm",
             "pages": 1, "pixels": 1200, "chains": 0, "steps": 0,
+            "paths": 0, "lines": 0, "arcs": 0, "tolerance": None,
             "input_bytes": len(self.image), "packed_bytes": 150,
             "output_bytes": os.path.getsize(self.path("page.ustp")),
             "lossless": True, "verified": True, "notes": []})
@@ -195,7 +196,7 @@ class CompressErrors(harness.CliTest):
         self.write("notes.txt", b"canvas 3 4\nDear diary\n")
         self.expect_error(
             ["compress", "notes.txt"], 3,
-            "unstep: notes.txt: neither a raster image nor Freeman text: "
+            "unstep: notes.txt: neither a drawing nor Freeman text: "
             "line 2, column 1: unknown keyword\n")
         self.write("bad.fc", b"open4 0 0: 0 2 1\n")
         self.expect_error(

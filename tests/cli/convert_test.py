@@ -58,7 +58,9 @@ class Convert(harness.CliTest):
         self.expect(["verify", "part.svg", "part.ustp"],
                     out="part.svg and part.ustp are the same: 1 page\n")
         self.expect(["convert", "part.svg", "part.fc", "--grid", "0.5mm"],
-                    out="part.svg -> part.fc: 1 page\n")
+                    out="part.svg -> part.fc: 1 page\n",
+                    err="unstep: warning: part.svg: chain text has no name, "
+                    "resolution or metadata\n")
         text = self.read("part.fc").decode()
         self.assertIn("closed4 2 2: ", text)
         self.assertEqual(sum(line.startswith("closed4")

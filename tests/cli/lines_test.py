@@ -17,10 +17,6 @@ def disc(radius, margin=3):
                     else "." for x in range(side)) for y in range(side)]
 
 
-def differing(a, b):
-    return sum(p != q for p, q in zip(b"".join(a), b"".join(b)))
-
-
 class Lines(harness.CliTest):
     def setUp(self):
         super().setUp()
@@ -101,8 +97,12 @@ class Lines(harness.CliTest):
         report = self.report("boxes.pbm", "--reverse", "device")
         self.assertEqual((report["tolerance"], report["arcs"]), ([1, 1], 0))
         self.expect(["decompress", "boxes.ustp", "-o", "again.pbm", "-q"])
-        # Rectangles are lines along the axes: the device draws them exactly.
-        self.assertEqual(self.read("again.pbm"), self.read("boxes.pbm"))
+        # A breaking step may join an edge and the first step around its
+        # corner, so pixels at corners differ, and few of them.
+        before, after = self.rows("boxes.pbm"), self.rows("again.pbm")
+        differing = sum((a ^ b).bit_count() for row, other in
+                        zip(before, after) for a, b in zip(row, other))
+        self.assertLess(differing, 90 * 70 // 20)
         result = self.run_cli("verify", "boxes.pbm", "boxes.ustp")
         self.assertEqual((result.code, result.err), (0, ""))
         self.assertIn("px on an axis, of 1 px allowed", result.out)
@@ -111,7 +111,7 @@ class Lines(harness.CliTest):
         self.write("d.fc", b"open8 0 0: 0101\n")
         result = self.run_cli("compress", "d.fc", "--reverse", "device")
         self.assertEqual((result.code, result.out), (2, ""))
-        self.assertRegex(result.err, r"^unstep: d.fc: chain 1: .*diagonal")
+        self.assertRegex(result.err, r"^unstep: d.fc: chain 1: step 1 has code 1: ")
 
     def test_info_names_the_lines(self):
         self.compress("disc.pbm", "--tolerance", "0.75")

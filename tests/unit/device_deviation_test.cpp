@@ -46,18 +46,21 @@ TEST(DeviceDeviation, IsAtMostOneForTheDevicesOwnSegments) {
 
 TEST(DeviceDeviation, NamesTheStepWhereALineIsTooFar) {
   Pair pair;
-  pair.chains.chains = {
-      {{0, 0}, Connectivity::four, false, {0, 0, 0, 2, 2, 2}}};
+  pair.chains.chains = {{{0, 0},
+                         Connectivity::four,
+                         false,
+                         {0, 0, 0, 0, 0, 0, 2, 2, 2, 2, 2, 2}}};
   pair.chains.canvas.y_axis = pair.paths.canvas.y_axis = YAxis::up;
   Path path;
-  path.elements = {{Path::Kind::segment, {3, 3}, {}}};
+  path.elements = {{Path::Kind::segment, {6, 6}, {}}};
   pair.paths.paths = {path};
   const auto found = measure_device_deviation(pair.chains, pair.paths);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->distance, 2.0);
+  // The device draws it as a stair: (3, 3) after six steps.
+  EXPECT_EQ(found->distance, 3.0);
   EXPECT_EQ(found->path, 0U);
-  EXPECT_EQ(found->step, 3U);
-  EXPECT_EQ(found->x, 3.0);
+  EXPECT_EQ(found->step, 6U);
+  EXPECT_EQ(found->x, 6.0);
 }
 
 TEST(DeviceDeviation, RefusesPathsOfOtherChains) {

@@ -65,9 +65,9 @@ struct DecodeLimits {
 
 struct EncodeOptions {
   bool verify = true;  ///< decode every block and compare before success
-  int bands = 0;      ///< per raster page; 0: one, more above 64 Mpx
-  int jobs = 1;       ///< threads; the bytes never depend on it
-  Metadata metadata;  ///< of the file
+  int bands = 0;       ///< per raster page; 0: one, more above 64 Mpx
+  int jobs = 1;        ///< threads; the bytes never depend on it
+  Metadata metadata;   ///< of the file
   Progress progress;
   /// Of ink pages. fast: a few direct models; max: more models and memory.
   Effort effort = Effort::standard;
