@@ -62,7 +62,7 @@ class Convert(harness.CliTest):
                     err="unstep: warning: part.svg: chain text has no name, "
                     "resolution or metadata\n")
         text = self.read("part.fc").decode()
-        self.assertIn("closed4 2 2: ", text)
+        self.assertIn("closed4 2 2:", text)
         self.assertEqual(sum(line.startswith("closed4")
                              for line in text.splitlines()), 2)
 

@@ -150,12 +150,13 @@ TEST(PathBoxes, HoldWhatIsDrawn) {
             (Box{-7, -1, 13, 9}));
   EXPECT_EQ(box_of({{-1, 3}, false, 0, {line(5, 6)}}, {YAxis::down, 4, {}}),
             (Box{-1, 0, 2, 3}));
-  // From (0, 0) to (10, 10) round (10, 0): the near quarter or the far three.
+  // From (0, 0) to (10, 10) round (10, 0): the near quarter or the far three,
+  // by the numbers, whatever the axis.
   EXPECT_EQ(box_of({{}, false, 0, {arc({10, 0}, {10, 10}, true)}}),
             (Box{0, 0, 10, 10}));
   EXPECT_EQ(box_of({{}, false, 0, {arc({10, 0}, {10, 10}, false)}}),
             (Box{0, -10, 20, 20}));
-  EXPECT_EQ(box_of({{}, false, 0, {arc({10, 0}, {10, 10}, false)}},
+  EXPECT_EQ(box_of({{}, false, 0, {arc({10, 0}, {10, 10}, true)}},
                    {YAxis::up, 1, {}}),
             (Box{0, 0, 10, 10}));
   EXPECT_EQ(box_of({{}, true, 0, {arc({3, 4}, {})}}), (Box{-2, -1, 10, 10}));

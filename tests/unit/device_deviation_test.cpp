@@ -56,11 +56,11 @@ TEST(DeviceDeviation, NamesTheStepWhereALineIsTooFar) {
   pair.paths.paths = {path};
   const auto found = measure_device_deviation(pair.chains, pair.paths);
   ASSERT_TRUE(found);
-  // The device draws it as a stair: (3, 3) after six steps.
+  // The device draws it as a stair: (2, 3) after five steps.
   EXPECT_EQ(found->distance, 3.0);
   EXPECT_EQ(found->path, 0U);
-  EXPECT_EQ(found->step, 6U);
-  EXPECT_EQ(found->x, 6.0);
+  EXPECT_EQ(found->step, 5U);
+  EXPECT_EQ(found->x, 5.0);
 }
 
 TEST(DeviceDeviation, RefusesPathsOfOtherChains) {
