@@ -26,6 +26,7 @@ struct CoderName {
 /// Coder ids, docs/format.md.
 inline constexpr std::uint8_t kCoderStored = 0;    ///< packed rows, deflated
 inline constexpr std::uint8_t kCoderContours = 1;  ///< contours, mixed models
+inline constexpr std::uint8_t kCoderShapes = 2;    ///< shapes that repeat
 inline constexpr std::uint8_t kCoderChains = 16;   ///< chains, mixed models
 inline constexpr std::uint8_t kCoderPaths = 24;    ///< paths, mixed models
 

@@ -6,6 +6,11 @@
 
 #include "codec/block_coder.h"
 
+namespace unstep::entropy {
+class ArithmeticDecoder;
+class ArithmeticEncoder;
+}  // namespace unstep::entropy
+
 /// Coder 1: contours under mixed models, docs/format.md.
 namespace unstep::codec {
 
@@ -56,6 +61,15 @@ Status verify_contours(std::span<const std::uint8_t> payload, const Bitmap& ink,
                        std::int32_t first_row, std::int32_t rows,
                        std::uint8_t revision, const DecodeLimits& limits,
                        const BlockProgress& progress);
+
+/// As a part of another coder's payload: codes those rows, or adds what is
+/// decoded to what they hold. The memory limit is for the caller to check.
+Status code_contours(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
+                     std::int32_t first_row, std::int32_t rows,
+                     std::uint8_t revision, const BlockProgress& progress);
+Status code_contours(entropy::ArithmeticDecoder& coder, Bitmap& ink,
+                     std::int32_t first_row, std::int32_t rows,
+                     std::uint8_t revision, const BlockProgress& progress);
 
 /// For training a warm start: encodes with the standard model and tables of at
 /// least 2^16 slots, and shows the models as they are at the end.

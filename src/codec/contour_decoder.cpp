@@ -24,8 +24,8 @@ namespace {
 template <class Sink>
 class DecoderSide {
  public:
-  DecoderSide(std::span<const std::uint8_t> payload, Sink sink)
-      : coder_(payload), sink_(std::move(sink)) {}
+  DecoderSide(entropy::ArithmeticDecoder& coder, Sink sink)
+      : coder_(coder), sink_(std::move(sink)) {}
 
   entropy::ArithmeticDecoder& coder() { return coder_; }
   [[nodiscard]] static std::uint64_t starts(std::int32_t /*y*/,
@@ -43,23 +43,35 @@ class DecoderSide {
   [[nodiscard]] bool damaged() const { return coder_.overrun(); }
 
  private:
-  entropy::ArithmeticDecoder coder_;
+  entropy::ArithmeticDecoder& coder_;
   Sink sink_;
 };
 
 template <class Turns, class Sink>
-Status decode_with(std::span<const std::uint8_t> payload, std::int32_t width,
+Status decode_with(entropy::ArithmeticDecoder& coder, std::int32_t width,
                    std::int32_t rows, int table_bits,
                    const BlockProgress& progress, Sink sink) {
-  DecoderSide<Sink> side(payload, std::move(sink));
+  DecoderSide<Sink> side(coder, std::move(sink));
   ContourScan<DecoderSide<Sink>, Turns> scan(side, width, rows, table_bits);
-  Status status = scan.run(progress);
-  if (!status) return status.error();
-  if (!side.coder().finished()) {
-    return Error{ErrorCode::corrupt,
-                 "contour payload does not end where its contours do"};
+  return scan.run(progress);
+}
+
+template <class Sink>
+Status decode_part(entropy::ArithmeticDecoder& coder, std::int32_t width,
+                   std::int32_t rows, std::uint8_t revision,
+                   const BlockProgress& progress, Sink sink) {
+  const int bits = contour_table_bits(revision, width, rows);
+  switch (revision) {
+    case kContourMax:
+      return decode_with<MaxTurnModel>(coder, width, rows, bits, progress,
+                                       std::move(sink));
+    case kContourFast:
+      return decode_with<FastTurnModel>(coder, width, rows, bits, progress,
+                                        std::move(sink));
+    default:
+      return decode_with<TurnModel>(coder, width, rows, bits, progress,
+                                    std::move(sink));
   }
-  return {};
 }
 
 template <class Sink>
@@ -75,21 +87,30 @@ Status decode_rows(std::span<const std::uint8_t> payload, std::int32_t width,
                      std::to_string(memory) +
                      " bytes, more than the memory limit"};
   }
-  const int bits = contour_table_bits(revision, width, rows);
-  switch (revision) {
-    case kContourMax:
-      return decode_with<MaxTurnModel>(payload, width, rows, bits, progress,
-                                       std::move(sink));
-    case kContourFast:
-      return decode_with<FastTurnModel>(payload, width, rows, bits, progress,
-                                        std::move(sink));
-    default:
-      return decode_with<TurnModel>(payload, width, rows, bits, progress,
-                                    std::move(sink));
+  entropy::ArithmeticDecoder coder(payload);
+  Status status =
+      decode_part(coder, width, rows, revision, progress, std::move(sink));
+  if (!status) return status.error();
+  if (!coder.finished()) {
+    return Error{ErrorCode::corrupt,
+                 "contour payload does not end where its contours do"};
   }
+  return {};
 }
 
 }  // namespace
+
+Status code_contours(entropy::ArithmeticDecoder& coder, Bitmap& ink,
+                     std::int32_t first_row, std::int32_t rows,
+                     std::uint8_t revision, const BlockProgress& progress) {
+  return decode_part(coder, ink.width(), rows, revision, progress,
+                     [&](std::int32_t y, const auto& row) {
+                       const auto to = ink.row(first_row + y);
+                       for (std::size_t i = 0; i < row.size(); ++i) {
+                         to[i] |= row[i];
+                       }
+                     });
+}
 
 Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,
                        std::int32_t first_row, std::int32_t rows,

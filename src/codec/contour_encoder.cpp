@@ -9,8 +9,9 @@ namespace {
 
 class EncoderSide {
  public:
-  EncoderSide(const Bitmap& ink, std::int32_t first_row, std::int32_t rows)
-      : ink_(ink), first_(first_row), rows_(rows) {}
+  EncoderSide(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
+              std::int32_t first_row, std::int32_t rows)
+      : coder_(coder), ink_(ink), first_(first_row), rows_(rows) {}
 
   entropy::ArithmeticEncoder& coder() { return coder_; }
 
@@ -49,49 +50,60 @@ class EncoderSide {
     return y == 0 ? below : below ^ ink_.row(first_ + y - 1)[w];
   }
 
+  entropy::ArithmeticEncoder& coder_;
   const Bitmap& ink_;
   std::int32_t first_;
   std::int32_t rows_;
-  entropy::ArithmeticEncoder coder_;
 };
 
 template <class Turns>
-Result<std::vector<std::uint8_t>> encode_with(const Bitmap& ink,
-                                              std::int32_t first_row,
-                                              std::int32_t rows, int table_bits,
-                                              const BlockProgress& progress) {
-  EncoderSide side(ink, first_row, rows);
+Status encode_with(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
+                   std::int32_t first_row, std::int32_t rows, int table_bits,
+                   const BlockProgress& progress) {
+  EncoderSide side(coder, ink, first_row, rows);
   ContourScan<EncoderSide, Turns> scan(side, ink.width(), rows, table_bits);
-  Status status = scan.run(progress);
-  if (!status) return status.error();
-  return side.coder().finish();
+  return scan.run(progress);
 }
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> encode_contours(
-    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
-    std::uint8_t revision, const BlockProgress& progress) {
+Status code_contours(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
+                     std::int32_t first_row, std::int32_t rows,
+                     std::uint8_t revision, const BlockProgress& progress) {
   const int bits = contour_table_bits(revision, ink.width(), rows);
   switch (revision) {
     case kContourMax:
-      return encode_with<MaxTurnModel>(ink, first_row, rows, bits, progress);
+      return encode_with<MaxTurnModel>(coder, ink, first_row, rows, bits,
+                                       progress);
     case kContourFast:
-      return encode_with<FastTurnModel>(ink, first_row, rows, bits, progress);
+      return encode_with<FastTurnModel>(coder, ink, first_row, rows, bits,
+                                        progress);
     default:
-      return encode_with<TurnModel>(ink, first_row, rows, bits, progress);
+      return encode_with<TurnModel>(coder, ink, first_row, rows, bits,
+                                    progress);
   }
+}
+
+Result<std::vector<std::uint8_t>> encode_contours(
+    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
+    std::uint8_t revision, const BlockProgress& progress) {
+  entropy::ArithmeticEncoder coder;
+  Status status =
+      code_contours(coder, ink, first_row, rows, revision, progress);
+  if (!status) return status.error();
+  return coder.finish();
 }
 
 Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
                                                   const ModelVisitor& visit) {
-  EncoderSide side(ink, 0, ink.height());
+  entropy::ArithmeticEncoder coder;
+  EncoderSide side(coder, ink, 0, ink.height());
   ContourScan<EncoderSide, TurnModel> scan(side, ink.width(), ink.height(),
                                            kTrainingBits);
   Status status = scan.run({});
   if (!status) return status.error();
   visit(scan.turns(), scan.starts());
-  return side.coder().finish();
+  return coder.finish();
 }
 
 }  // namespace unstep::codec

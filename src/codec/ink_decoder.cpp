@@ -3,6 +3,7 @@
 
 #include "codec/block_coder.h"
 #include "codec/contour_coder.h"
+#include "codec/shape_coder.h"
 #include "codec/stored_coder.h"
 #include "codec/warm_start.h"
 
@@ -15,6 +16,11 @@ constexpr CoderName kStored{kCoderStored, 0, 0};
 bool is_contours(const CoderName& name) {
   return name.coder == kCoderContours && name.table == warm::kTableId &&
          is_contour_revision(name.revision);
+}
+
+bool is_shapes(const CoderName& name) {
+  return name.coder == kCoderShapes && name.table == warm::kTableId &&
+         is_shape_revision(name.revision);
 }
 
 Error unknown(const CoderName& name) {
@@ -33,6 +39,10 @@ Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
   if (is_contours(name)) {
     return decode_contours(payload, ink, first_row, rows, name.revision, limits,
                            progress);
+  }
+  if (is_shapes(name)) {
+    return decode_shapes(payload, ink, first_row, rows, name.revision, limits,
+                         progress);
   }
   return unknown(name);
 }

@@ -1,5 +1,6 @@
 #include "codec/block_coder.h"
 #include "codec/contour_coder.h"
+#include "codec/shape_coder.h"
 #include "codec/stored_coder.h"
 #include "codec/warm_start.h"
 
@@ -9,6 +10,15 @@ Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
                                 std::int32_t rows, Effort effort,
                                 const BlockProgress& progress) {
   const std::uint8_t revision = contour_revision(effort);
+  if (effort != Effort::fast) {
+    Result<std::vector<std::uint8_t>> shapes =
+        encode_shapes(ink, first_row, rows, revision, progress);
+    if (!shapes) return shapes.error();
+    if (!shapes->empty()) {
+      return EncodedBlock{{kCoderShapes, revision, warm::kTableId},
+                          *std::move(shapes)};
+    }
+  }
   Result<std::vector<std::uint8_t>> contours =
       encode_contours(ink, first_row, rows, revision, progress);
   if (!contours) return contours.error();

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "codec/block_coder.h"
+
+/// Coder 2: shapes that repeat, then the contours of what is left,
+/// docs/format.md.
+namespace unstep::codec {
+
+struct PlacedShape;
+
+/// Revisions are those of coder 1 for what is left: standard and max.
+[[nodiscard]] constexpr bool is_shape_revision(std::uint8_t revision) {
+  return revision <= 1;
+}
+
+/// log2 of the models' slots per context, a rule of the size only.
+[[nodiscard]] constexpr int shape_table_bits(std::int32_t width,
+                                             std::int32_t rows) {
+  return std::int64_t{width} * rows < 1'000'000 ? 14 : 16;
+}
+
+/// Bytes that coding such a block allocates.
+[[nodiscard]] std::uint64_t shape_memory(std::uint8_t revision,
+                                         std::int32_t width, std::int32_t rows);
+
+/// Codes those of the shapes of match_shapes() or find_shapes() first.
+Result<std::vector<std::uint8_t>> encode_shapes(
+    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
+    std::uint8_t revision, const std::vector<PlacedShape>& shapes,
+    const BlockProgress& progress);
+
+/// With the shapes that are worth it; empty if there are none.
+Result<std::vector<std::uint8_t>> encode_shapes(const Bitmap& ink,
+                                                std::int32_t first_row,
+                                                std::int32_t rows,
+                                                std::uint8_t revision,
+                                                const BlockProgress& progress);
+
+Status decode_shapes(std::span<const std::uint8_t> payload, Bitmap& ink,
+                     std::int32_t first_row, std::int32_t rows,
+                     std::uint8_t revision, const DecodeLimits& limits,
+                     const BlockProgress& progress);
+
+}  // namespace unstep::codec

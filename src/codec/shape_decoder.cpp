@@ -1,0 +1,76 @@
+#include <string>
+
+#include "codec/contour_coder.h"
+#include "codec/shape_coder.h"
+#include "codec/shape_scan.h"
+#include "entropy/arithmetic_decoder.h"
+
+namespace unstep::codec {
+
+namespace {
+
+class DecoderSide {
+ public:
+  static constexpr bool kKnows = false;
+
+  DecoderSide(entropy::ArithmeticDecoder& coder, Bitmap& ink,
+              std::int32_t first_row)
+      : coder_(coder), ink_(ink), first_(first_row) {}
+
+  entropy::ArithmeticDecoder& coder() { return coder_; }
+  static const PlacedShape* next() { return nullptr; }
+  bool place(const PlacedShape& shape) {
+    merge_shape(ink_, first_, shape,
+                [](std::uint64_t& to, std::uint64_t bits) { to |= bits; });
+    return true;
+  }
+  [[nodiscard]] bool damaged() const { return coder_.overrun(); }
+
+ private:
+  entropy::ArithmeticDecoder& coder_;
+  Bitmap& ink_;
+  std::int32_t first_;
+};
+
+}  // namespace
+
+std::uint64_t shape_memory(std::uint8_t revision, std::int32_t width,
+                           std::int32_t rows) {
+  const std::uint64_t models =
+      ShapeScan<DecoderSide>::memory(shape_table_bits(width, rows));
+  const std::uint64_t shapes = shape_room(width, rows) * 8;
+  return models + shapes + contour_memory(revision, width, rows);
+}
+
+Status decode_shapes(std::span<const std::uint8_t> payload, Bitmap& ink,
+                     std::int32_t first_row, std::int32_t rows,
+                     std::uint8_t revision, const DecodeLimits& limits,
+                     const BlockProgress& progress) {
+  const std::uint64_t memory = shape_memory(revision, ink.width(), rows);
+  if (memory > limits.max_memory) {
+    return Error{ErrorCode::limit_exceeded,
+                 "shapes of " + std::to_string(ink.width()) + " x " +
+                     std::to_string(rows) + " pixels need " +
+                     std::to_string(memory) +
+                     " bytes, more than the memory limit"};
+  }
+  entropy::ArithmeticDecoder coder(payload);
+  {
+    DecoderSide side(coder, ink, first_row);
+    ShapeScan<DecoderSide> scan(side, ink.width(), rows,
+                                shape_table_bits(ink.width(), rows));
+    if (!scan.run()) {
+      return Error{ErrorCode::corrupt, "shape payload is damaged"};
+    }
+  }
+  Status status =
+      code_contours(coder, ink, first_row, rows, revision, progress);
+  if (!status) return status;
+  if (!coder.finished()) {
+    return Error{ErrorCode::corrupt,
+                 "shape payload does not end where its contours do"};
+  }
+  return {};
+}
+
+}  // namespace unstep::codec

@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <vector>
+
+#include "codec/contour_coder.h"
+#include "codec/shape_coder.h"
+#include "codec/shape_matcher.h"
+#include "codec/shape_scan.h"
+#include "entropy/arithmetic_encoder.h"
+
+namespace unstep::codec {
+namespace {
+
+class EncoderSide {
+ public:
+  static constexpr bool kKnows = true;
+
+  /// Shapes are taken off `rest`.
+  EncoderSide(entropy::ArithmeticEncoder& coder,
+              const std::vector<PlacedShape>& shapes, Bitmap& rest)
+      : coder_(coder), shapes_(shapes), rest_(rest) {}
+
+  entropy::ArithmeticEncoder& coder() { return coder_; }
+  const PlacedShape* next() {
+    return next_ < shapes_.size() ? &shapes_[next_] : nullptr;
+  }
+  bool place(const PlacedShape& shape) {
+    merge_shape(rest_, 0, shape,
+                [](std::uint64_t& to, std::uint64_t bits) { to &= ~bits; });
+    ++next_;
+    return true;
+  }
+  [[nodiscard]] static bool damaged() { return false; }
+
+ private:
+  entropy::ArithmeticEncoder& coder_;
+  const std::vector<PlacedShape>& shapes_;
+  Bitmap& rest_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> encode_shapes(const Bitmap& ink,
+                                                std::int32_t first_row,
+                                                std::int32_t rows,
+                                                std::uint8_t revision,
+                                                const BlockProgress& progress) {
+  const std::vector<PlacedShape> shapes = find_shapes(ink, first_row, rows);
+  if (shapes.empty()) return std::vector<std::uint8_t>{};
+  return encode_shapes(ink, first_row, rows, revision, shapes, progress);
+}
+
+Result<std::vector<std::uint8_t>> encode_shapes(
+    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
+    std::uint8_t revision, const std::vector<PlacedShape>& shapes,
+    const BlockProgress& progress) {
+  Result<Bitmap> rest = Bitmap::create(ink.width(), rows);
+  if (!rest) return rest.error();
+  for (std::int32_t y = 0; y < rows; ++y) {
+    const auto from = ink.row(first_row + y);
+    std::copy(from.begin(), from.end(), rest->row(y).begin());
+  }
+  entropy::ArithmeticEncoder coder;
+  {
+    EncoderSide side(coder, shapes, *rest);
+    ShapeScan<EncoderSide> scan(side, ink.width(), rows,
+                                shape_table_bits(ink.width(), rows));
+    scan.run();
+  }
+  Status status = code_contours(coder, *rest, 0, rows, revision, progress);
+  if (!status) return status.error();
+  return coder.finish();
+}
+
+}  // namespace unstep::codec

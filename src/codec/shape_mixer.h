@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "codec/context.h"
+#include "entropy/counter.h"
+#include "entropy/logistic.h"
+#include "entropy/mixer.h"
+
+namespace unstep::codec {
+
+/// Codes pixels under eight hashed contexts, mixed by two sets of weights. A
+/// DecisionModel that checks its slots and is made for vector code.
+class ShapeMixer {
+ public:
+  static constexpr std::size_t kContexts = 8;
+  static constexpr std::size_t kInputs = 2 * kContexts;
+  static constexpr std::size_t kSets = 2;
+  using Contexts = std::array<std::uint64_t, kContexts>;
+  using Chosen = std::array<std::size_t, kSets>;
+
+  /// 2^table_bits slots per context. REQUIRES: 8 <= table_bits <= 24.
+  ShapeMixer(int table_bits, const Chosen& selectors)
+      : bits_(table_bits),
+        slots_(kContexts << table_bits),
+        mixer_(selectors, std::array<Weights, 1>{initial()}) {}
+
+  /// Bytes of the slots.
+  static constexpr std::uint64_t memory(int table_bits) {
+    return std::uint64_t{kContexts * sizeof(Slot)} << table_bits;
+  }
+
+  template <class Coder>
+  bool code(Coder& coder, bool bit, const Contexts& contexts,
+            const Chosen& chosen) {
+    recall(contexts);
+    const int p = entropy::squash(mixer_.mix(chosen));
+    const bool coded = coder.code(bit, std::clamp(p, 24, 65512));
+    mixer_.update(coded);
+    learn(coded);
+    return coded;
+  }
+
+ private:
+  using Weights = std::array<std::int16_t, kInputs>;
+  struct Slot {
+    std::uint16_t p = 32768;
+    std::uint8_t n = 0;
+    std::uint8_t check = 0;
+  };
+
+  static constexpr Weights initial() {
+    Weights weights{};
+    weights.fill(6144 / kContexts);
+    return weights;
+  }
+
+  void recall(const Contexts& contexts) {
+    for (std::size_t i = 0; i < kContexts; ++i) {
+      const std::uint64_t hash = mix(contexts[i], i) * kGolden;
+      active_[i] = &slots_[(i << bits_) + (hash >> (64 - bits_))];
+      checks_[i] = static_cast<std::uint8_t>(hash >> 32);
+    }
+    auto& inputs = mixer_.inputs();
+    for (std::size_t i = 0; i < kContexts; ++i) {
+      const Slot slot = *active_[i];
+      const bool found = slot.check == checks_[i];
+      p_[i] = found ? slot.p : std::uint16_t{32768};
+      ages_[i] = found ? slot.n : std::uint8_t{0};
+      rates_[i] = entropy::detail::kRates[ages_[i]];
+      trusts_[i] = kTrust[ages_[i]];
+      inputs[i] = static_cast<std::int16_t>(entropy::stretch(p_[i]));
+    }
+    entropy::lean_all(p_, trusts_, inputs.data() + kContexts);
+  }
+
+  void learn(bool bit) {
+    entropy::move_all(p_, rates_, bit);
+    for (std::size_t i = 0; i < kContexts; ++i) {
+      const auto age =
+          static_cast<std::uint8_t>(ages_[i] + (ages_[i] < 255 ? 1 : 0));
+      *active_[i] = Slot{p_[i], age, checks_[i]};
+    }
+  }
+
+  int bits_;
+  std::vector<Slot> slots_;
+  entropy::Mixer<kInputs, kSets> mixer_;
+  std::array<Slot*, kContexts> active_{};
+  std::array<std::uint8_t, kContexts> checks_{};
+  std::array<std::uint8_t, kContexts> ages_{};
+  alignas(16) std::array<std::uint16_t, kContexts> p_{};
+  alignas(16) std::array<std::uint16_t, kContexts> rates_{};
+  alignas(16) std::array<std::int16_t, kContexts> trusts_{};
+};
+
+}  // namespace unstep::codec

@@ -1,0 +1,276 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "codec/shape_glyph.h"
+#include "codec/shape_mixer.h"
+#include "entropy/counter.h"
+
+namespace unstep::codec {
+
+/// Codes the pixels of one shape, row by row, seeing those before and, if
+/// there is one, the shape that it refers to.
+///
+/// Where all that a pixel's neighbours say is one colour, a whole run is one
+/// decision. Other pixels pass a gate: one counter under the nearest pixels,
+/// that codes alone if it is nearly certain. The rest is mixed.
+class ShapePixels {
+ public:
+  static constexpr int kGateAge = 24;    ///< observations before a gate may
+  static constexpr int kGateRare = 512;  ///< of 65536
+
+  explicit ShapePixels(int table_bits)
+      : mixer_(table_bits, {1024, 256}),
+        gates_(std::size_t{1} << 17),
+        quiet_(std::size_t{1} << 7) {}
+
+  static std::uint64_t memory(int table_bits) {
+    return ShapeMixer::memory(table_bits) + (1 << 20);
+  }
+
+  /// `truth` is null for a decoder. `reference` is null or aligned with
+  /// `canvas`, which must be clear.
+  template <class Coder>
+  void code(Coder& coder, const Glyph* truth, std::int32_t width,
+            std::int32_t height, ShapeCanvas& canvas,
+            const ShapeCanvas* reference) {
+    errors_ = 0;
+    refers_ = reference != nullptr;
+    for (std::int32_t y = 0; y < height; ++y) {
+      for (std::int32_t k = 0; k < 7; ++k) {
+        rows_[static_cast<std::size_t>(k)] = canvas.row(y - k);
+      }
+      for (std::int32_t k = 0; k < 5 && refers_; ++k) {
+        matched_[static_cast<std::size_t>(k)] = reference->row(y - 2 + k);
+      }
+      find_busy(width);
+      const std::uint64_t row =
+          std::min<std::uint64_t>(static_cast<std::uint64_t>(y), 31) |
+          static_cast<std::uint64_t>(std::min(height - 1 - y, 31)) << 5;
+      for (std::int32_t x = 0; x < width;) {
+        const std::int32_t end = quiet_end(x, width);
+        if (end > x) {
+          x = code_run(coder, truth, x, end, y, end == width, canvas);
+          continue;
+        }
+        const std::uint64_t place =
+            row | static_cast<std::uint64_t>(std::min(x, 31)) << 10 |
+            static_cast<std::uint64_t>(std::min(width - x, 31)) << 15;
+        if (code_pixel(coder, truth != nullptr && truth->get(x, y), x, place)) {
+          canvas.set(x, y);
+        }
+        ++x;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kWords = (kMaxShapeSide + 64) / 64;
+
+  static std::uint64_t view(ShapeCanvas::Row row, std::int32_t x) {
+    return ShapeCanvas::window(row, x);
+  }
+  /// `left` pixels before the middle, the middle and `right` after it.
+  static constexpr std::uint64_t cut(std::uint64_t window, int left,
+                                     int right) {
+    return window >> (31 - right) &
+           ((std::uint64_t{1} << (left + right + 1)) - 1);
+  }
+  /// The pixels before the middle.
+  static constexpr std::uint64_t before(std::uint64_t window, int count) {
+    return window >> 32 & ((std::uint64_t{1} << count) - 1);
+  }
+
+  /// Marks the pixels of a row whose neighbours are of both colours.
+  void find_busy(std::int32_t width) {
+    for (std::int32_t i = 0; i * 64 < width; ++i) {
+      std::uint64_t any = 0;
+      std::uint64_t all = ~std::uint64_t{0};
+      const auto see = [&](ShapeCanvas::Row row, std::int32_t reach) {
+        for (std::int32_t d = -reach; d <= reach; ++d) {
+          const std::uint64_t pixels = view(row, i * 64 + 32 + d);
+          any |= pixels;
+          all &= pixels;
+        }
+      };
+      if (refers_) {
+        see(rows_[1], 1);
+        for (std::size_t k = 1; k <= 3; ++k) see(matched_[k], 1);
+      } else {
+        see(rows_[1], 3);
+        see(rows_[2], 2);
+      }
+      const auto u = static_cast<std::size_t>(i);
+      busy_[u] = any & ~all;
+      ink_[u] = all;
+    }
+  }
+
+  /// Where the quiet run that begins at x ends; x if it is no quiet pixel.
+  [[nodiscard]] std::int32_t quiet_end(std::int32_t x,
+                                       std::int32_t width) const {
+    auto word = static_cast<std::size_t>(x / 64);
+    std::uint64_t busy = busy_[word] << x % 64;
+    if ((busy >> 63) != 0) return x;
+    const std::uint64_t left = before(view(rows_[0], x), refers_ ? 2 : 4);
+    const bool ink = (ink_[word] << x % 64 >> 63) != 0;
+    if (left != (!ink ? 0U : refers_ ? 3U : 15U)) return x;
+    std::int32_t end = x;
+    if (busy == 0) {
+      end = x - x % 64 + 64;
+      for (++word; end < width && busy_[word] == 0; ++word) end += 64;
+      if (end < width) busy = busy_[word];
+    }
+    if (busy != 0) end += std::countl_zero(busy);
+    return std::min(end, width);
+  }
+
+  /// The first pixel from x on that is not of the colour; `end` if none is.
+  static std::int32_t first_other(const std::uint64_t* row, std::int32_t x,
+                                  std::int32_t end, bool ink) {
+    const std::uint64_t colour = ink ? ~std::uint64_t{0} : 0;
+    while (x < end) {
+      const std::uint64_t other = (row[x / 64] ^ colour) << x % 64;
+      if (other != 0) return std::min(end, x + std::countl_zero(other));
+      x += 64 - x % 64;
+    }
+    return end;
+  }
+
+  /// One decision whether a quiet run is all of its colour. Returns where to
+  /// go on.
+  template <class Coder>
+  std::int32_t code_run(Coder& coder, const Glyph* truth, std::int32_t x,
+                        std::int32_t end, std::int32_t y, bool last,
+                        ShapeCanvas& canvas) {
+    const bool ink =
+        (ink_[static_cast<std::size_t>(x / 64)] << x % 64 >> 63) != 0;
+    const std::int32_t change =
+        truth != nullptr ? first_other(truth->row(y), x, end, ink) : end;
+    const auto length = static_cast<unsigned>(end - x);
+    entropy::Counter& counter =
+        quiet_[static_cast<unsigned>(std::bit_width(length)) |
+               (ink ? 16U : 0U) | (refers_ ? 32U : 0U) | (last ? 64U : 0U)];
+    const bool changes = coder.code(change < end, counter.p1_fine());
+    counter.update(changes);
+    if (!changes) {
+      if (ink) canvas.fill(x, end, y);
+      return end;
+    }
+    std::int32_t low = x;
+    std::int32_t high = end;
+    while (high - low > 1) {
+      const std::int32_t middle = low + (high - low) / 2;
+      if (coder.code(change >= middle, 32768)) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    if (ink) {
+      canvas.fill(x, low, y);
+    } else {
+      canvas.set(low, y);
+    }
+    return low + 1;
+  }
+
+  template <class Coder>
+  bool code_pixel(Coder& coder, bool truth, std::int32_t x,
+                  std::uint64_t place) {
+    const std::uint64_t r0 = view(rows_[0], x);
+    const std::uint64_t r1 = view(rows_[1], x);
+    const std::uint64_t corner = before(r0, 2) | cut(r1, 1, 1) << 2;
+    const std::uint64_t r2 = view(rows_[2], x);
+    const std::uint64_t near =
+        before(r0, 4) | cut(r1, 3, 3) << 4 | cut(r2, 2, 2) << 11;
+    std::uint64_t block = 0;
+    std::uint64_t middle = 0;
+    if (refers_) {
+      middle = view(matched_[2], x);
+      block = cut(middle, 1, 1) | cut(view(matched_[1], x), 1, 1) << 3 |
+              cut(view(matched_[3], x), 1, 1) << 6;
+    }
+    entropy::Counter& gate =
+        gates_[refers_ ? 1U << 16 | block | corner << 9 : near];
+    const bool likely = gate.p >= 32768;
+    const int rare = likely ? 65535 - gate.p : gate.p;
+    bool bit = likely;
+    if (gate.n >= kGateAge && rare < kGateRare) {
+      bit = coder.code(truth != likely, rare + 4) != likely;
+      gate.update(bit);
+      if (bit == likely) return bit;
+    } else {
+      bit = mix(coder, truth, x, place, {r0, r1, r2, near, block, corner});
+      gate.update(bit);
+    }
+    const bool expected = (middle >> 31 & 1) != 0;
+    errors_ += (bit != expected ? 4096 : 0) - errors_ / 16;
+    return bit;
+  }
+
+  struct Near {
+    std::uint64_t r0, r1, r2, near, block, corner;
+  };
+
+  template <class Coder>
+  bool mix(Coder& coder, bool truth, std::int32_t x, std::uint64_t place,
+           const Near& n) {
+    const std::uint64_t r3 = view(rows_[3], x);
+    const std::uint64_t r4 = view(rows_[4], x);
+    ShapeMixer::Contexts c;
+    c[0] = before(n.r0, 6) | cut(n.r1, 4, 4) << 6 | cut(n.r2, 3, 3) << 15 |
+           cut(r3, 2, 2) << 22;
+    c[1] = before(n.r0, 8) | cut(n.r1, 6, 6) << 8 | cut(n.r2, 5, 5) << 21 |
+           cut(r3, 4, 4) << 32 | cut(r4, 2, 2) << 41;
+    c[2] = before(n.r0, 3) | cut(n.r1, 2, 6) << 3 | cut(n.r2, 2, 6) << 12 |
+           cut(r3, 2, 5) << 21;
+    c[3] = before(n.r0, 1) | cut(n.r1, 1, 3) << 1 | cut(n.r2, 1, 1) << 6 |
+           cut(r3, 1, 1) << 9 | cut(r4, 1, 1) << 12 |
+           cut(view(rows_[5], x), 1, 1) << 15 |
+           cut(view(rows_[6], x), 1, 1) << 18;
+    ShapeMixer::Chosen chosen;
+    if (refers_) {
+      const std::uint64_t quality = errors_ < 1024    ? 0
+                                    : errors_ < 4096  ? 1
+                                    : errors_ < 10240 ? 2
+                                                      : 3;
+      const std::uint64_t kind = 1ULL << 60 | quality << 56;
+      const std::uint64_t wide = cut(view(matched_[0], x), 1, 1) |
+                                 cut(view(matched_[1], x), 2, 2) << 3 |
+                                 cut(view(matched_[2], x), 2, 2) << 8 |
+                                 cut(view(matched_[3], x), 2, 2) << 13 |
+                                 cut(view(matched_[4], x), 1, 1) << 18;
+      c[4] = kind | n.block | n.corner << 9;
+      c[5] = kind | wide | (n.corner & 1) << 24 | (n.r1 >> 31 & 1) << 25;
+      c[6] = kind | n.block | n.near << 9;
+      c[7] = kind | n.block | place << 9;
+      chosen = {512 + n.block, 128 + (n.corner | quality << 5)};
+    } else {
+      c[4] = before(n.r0, 7) | cut(n.r1, 5, 1) << 7;
+      c[5] = cut(n.r1, 1, 1) | cut(n.r2, 1, 1) << 3 | cut(r3, 1, 1) << 6 |
+             place << 9;
+      c[6] = n.corner | place << 5;
+      c[7] = n.near;
+      chosen = {before(n.r0, 3) | cut(n.r1, 2, 3) << 3,
+                n.corner | (n.r2 >> 31 & 3) << 5};
+    }
+    return mixer_.code(coder, truth, c, chosen);
+  }
+
+  ShapeMixer mixer_;
+  std::vector<entropy::Counter> gates_;
+  std::vector<entropy::Counter> quiet_;
+  std::int32_t errors_ = 0;
+  bool refers_ = false;
+  std::array<ShapeCanvas::Row, 7> rows_{};     ///< this row and those above
+  std::array<ShapeCanvas::Row, 5> matched_{};  ///< rows y - 2 .. y + 2
+  std::array<std::uint64_t, kWords> busy_{};
+  std::array<std::uint64_t, kWords> ink_{};
+};
+
+}  // namespace unstep::codec
