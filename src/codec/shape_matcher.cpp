@@ -15,6 +15,8 @@ namespace {
 constexpr std::int64_t kMinPixels = 4;
 /// How far a size may differ from that of a reference.
 constexpr std::int32_t kNearSize = 2;
+/// Of 64 cells; beyond this a candidate is not looked at.
+constexpr int kFarCells = 20;
 /// How many candidates are compared pixel by pixel.
 constexpr int kMaxTries = 12;
 /// Lines that grow higher than this are not one line.
@@ -77,12 +79,17 @@ std::int32_t distance(const Glyph& a, const Glyph& b, std::int32_t dx,
   std::int32_t differ = 0;
   const std::int32_t bottom = std::max(a.height, b.height - dy);
   const std::size_t words = std::max(a.stride(), b.stride()) + 1;
+  const bool narrow = std::max(a.width, b.width) <= 48;
   const int shift = 8 - dx;  // b moves by it, a by 8, so both to the right
   for (std::int32_t y = std::min(0, -dy); y < bottom && differ < limit; ++y) {
     const bool in_a = y >= 0 && y < a.height;
     const bool in_b = y + dy >= 0 && y + dy < b.height;
     const std::uint64_t* ra = in_a ? a.row(y) : kBlank.data();
     const std::uint64_t* rb = in_b ? b.row(y + dy) : kBlank.data();
+    if (narrow) {
+      differ += ones(ra[0] >> 8 ^ rb[0] >> shift);
+      continue;
+    }
     std::uint64_t last_a = 0;
     std::uint64_t last_b = 0;
     for (std::size_t i = 0; i < words; ++i) {
@@ -178,7 +185,8 @@ class Matcher {
         const auto bucket = buckets_.find(h << 10 | w);
         if (bucket == buckets_.end()) continue;
         for (const Candidate& candidate : bucket->second) {
-          near_.emplace_back(ones(view ^ candidate.coarse), &candidate);
+          const int differ = ones(view ^ candidate.coarse);
+          if (differ <= kFarCells) near_.emplace_back(differ, &candidate);
         }
       }
     }
@@ -195,16 +203,20 @@ class Matcher {
   /// Tries all shifts; true if one is better than `best`.
   static bool try_all(const Glyph& glyph, const Glyph& other,
                       std::int32_t& best, PlacedShape& shape) {
+    const std::int32_t dx = (other.width - glyph.width) / 2;
+    const std::int32_t dy = (other.height - glyph.height) / 2;
+    const std::int32_t middle = distance(glyph, other, dx, dy, 2 * best);
+    if (middle >= 2 * best) return false;  // no shift will mend that
     bool better = false;
-    for (std::int32_t dy = -1; dy <= 1; ++dy) {
-      for (std::int32_t dx = -1; dx <= 1; ++dx) {
+    for (const std::int32_t v : {0, -1, 1}) {
+      for (const std::int32_t u : {0, -1, 1}) {
         const std::int32_t differ =
-            distance(glyph, other, (other.width - glyph.width) / 2 + dx,
-                     (other.height - glyph.height) / 2 + dy, best);
+            u == 0 && v == 0 ? middle
+                             : distance(glyph, other, dx + u, dy + v, best);
         if (differ >= best) continue;
         best = differ;
-        shape.dx = dx;
-        shape.dy = dy;
+        shape.dx = u;
+        shape.dy = v;
         better = true;
       }
     }

@@ -61,9 +61,9 @@ class ShapeMixer {
 
   void recall(const Contexts& contexts) {
     for (std::size_t i = 0; i < kContexts; ++i) {
-      const std::uint64_t hash = mix(contexts[i], i) * kGolden;
+      const std::uint64_t hash = contexts[i] * kGolden;
       active_[i] = &slots_[(i << bits_) + (hash >> (64 - bits_))];
-      checks_[i] = static_cast<std::uint8_t>(hash >> 32);
+      checks_[i] = static_cast<std::uint8_t>(hash >> 40);
     }
     auto& inputs = mixer_.inputs();
     for (std::size_t i = 0; i < kContexts; ++i) {

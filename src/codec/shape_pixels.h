@@ -20,8 +20,8 @@ namespace unstep::codec {
 /// that codes alone if it is nearly certain. The rest is mixed.
 class ShapePixels {
  public:
-  static constexpr int kGateAge = 24;    ///< observations before a gate may
-  static constexpr int kGateRare = 512;  ///< of 65536
+  static constexpr int kGateAge = 24;     ///< observations before a gate may
+  static constexpr int kGateRare = 1500;  ///< of 65536
 
   explicit ShapePixels(int table_bits)
       : mixer_(table_bits, {1024, 256}),

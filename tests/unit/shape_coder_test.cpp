@@ -140,7 +140,7 @@ TEST(Shapes, OfADamagedPayloadAreRefusedOrOther) {
   const Bytes payload = expect_round_trip(ink, 0, 60);
   const auto decodes_to_it = [&](const Bytes& bytes) {
     Bitmap decoded = *Bitmap::create(160, 60);
-    return decode_shapes(bytes, decoded, 0, 60, kLimits, {}) && decoded == ink;
+    return decode_shapes(bytes, decoded, 0, 60, 0, kLimits, {}) && decoded == ink;
   };
   for (std::size_t cut = 0; cut < payload.size(); ++cut) {
     EXPECT_FALSE(decodes_to_it(Bytes(
@@ -158,7 +158,7 @@ TEST(Shapes, RefuseMoreMemoryThanAllowed) {
   DecodeLimits limits;
   limits.max_memory = 1000;
   Bitmap ink = *Bitmap::create(8, 8);
-  const Status refused = decode_shapes(Bytes{}, ink, 0, 8, limits, {});
+  const Status refused = decode_shapes(Bytes{}, ink, 0, 8, 0, limits, {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::limit_exceeded);
 }
