@@ -224,7 +224,7 @@ Result<Program> split_arcs(const Program& program, const ArcRules& rules);
 /// Controls, and what they are used for.
 enum class GcodeProfile : std::uint8_t {
   linuxcnc,  ///< M2 at the end
-  grbl,      ///< the same, lines of at most 80 bytes
+  grbl,      ///< the same
   marlin,    ///< a G word on every line, comments after ";"
   laser,     ///< grbl; the beam instead of a tool
   plotter    ///< grbl; a pen instead of a tool
