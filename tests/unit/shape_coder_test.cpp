@@ -140,7 +140,8 @@ TEST(Shapes, OfADamagedPayloadAreRefusedOrOther) {
   const Bytes payload = expect_round_trip(ink, 0, 60);
   const auto decodes_to_it = [&](const Bytes& bytes) {
     Bitmap decoded = *Bitmap::create(160, 60);
-    return decode_shapes(bytes, decoded, 0, 60, 0, kLimits, {}) && decoded == ink;
+    return decode_shapes(bytes, decoded, 0, 60, 0, kLimits, {}) &&
+           decoded == ink;
   };
   for (std::size_t cut = 0; cut < payload.size(); ++cut) {
     EXPECT_FALSE(decodes_to_it(Bytes(
