@@ -190,7 +190,15 @@ Result<Deviation> page_deviation(const Page& original, const Page& lines) {
   if (lines.fidelity.kind == Fidelity::Kind::device) {
     return measure_device_deviation(*chains, lines.drawing);
   }
-  return measure_deviation(*chains, lines.drawing);
+  Result<Deviation> found = measure_deviation(*chains, lines.drawing);
+  if (!found) return found;
+  // The measure is rounded up; whether the bound holds is decided exactly.
+  const double bound = bound_of(lines.fidelity);
+  if (found->distance > bound &&
+      check_deviation(*chains, lines.drawing, lines.fidelity.tolerance)) {
+    found->distance = bound;
+  }
+  return found;
 }
 
 double bound_of(const Fidelity& fidelity) {

@@ -16,6 +16,7 @@ namespace unstep::cli {
 
 /// The largest deviation of a page of lines from the ink or chains that it was
 /// made from, measured by its fidelity: Frechet distance, or the device's own.
+/// Above the fidelity's bound only if it breaks it.
 /// invalid_argument if the pages cannot stand for each other.
 Result<Deviation> page_deviation(const Page& original, const Page& lines);
 
