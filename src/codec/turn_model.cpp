@@ -42,7 +42,7 @@ TurnModel::TurnModel(const CrackMap& cracks, int table_bits,
     : cracks_(cracks),
       slots_(table_sizes(table_bits)),
       gates_(std::size_t{1} << kGateBits),
-      mixer_({64, 1024, 1024}, start.turn_weights),
+      mixer_({64, 1024, 1024, 1024}, start.turn_weights),
       refiners_{entropy::Refiner(std::size_t{2} << kTurnRefinerBits),
                 entropy::Refiner(std::size_t{2} << kNearRefinerBits)} {
   for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
@@ -217,7 +217,8 @@ void TurnModel::look_around() {
   next_selectors_ = {
       std::min(right.distance, 7U) * 2 + (left.distance > 0 ? 16U : 0U),
       static_cast<std::size_t>(history(4)) * 2,
-      (level * 4 + guess) * 2 + static_cast<std::size_t>(at_point) * 64};
+      (level * 4 + guess) * 2 + static_cast<std::size_t>(at_point) * 64,
+      static_cast<std::size_t>(expected.curve >> 8 & 511) * 2};
   next_refined_ = {static_cast<std::size_t>(history(6)) * 2,
                    (around_ & patch::kNear) * kGolden >> (64 - kNearRefinerBits)
                                                              << 1};
@@ -228,8 +229,9 @@ int TurnModel::probability(Node node) {
   slots_.predict(node, inputs.data());
   inputs[kGateInput] = static_cast<std::int16_t>(
       node == kBends ? entropy::stretch(gate_->p) : 0);
-  const int x = mixer_.mix(
-      {selectors_[0] + node, selectors_[1] + node, selectors_[2] + node}, node);
+  std::array<std::size_t, kSets> chosen = selectors_;
+  for (std::size_t& vector : chosen) vector += node;
+  const int x = mixer_.mix(chosen, node);
   int p = entropy::squash(x);
   for (std::size_t i = 0; i < refiners_.size(); ++i) {
     p += refiners_[i].refine(x, refined_[i] + node);

@@ -34,6 +34,7 @@ class TurnModel {
   /// Those of the slots; the lane that they leave free is the gate's.
   static constexpr std::size_t kInputs = Slots::kInputs;
   static constexpr std::size_t kGateInput = kContexts;
+  static constexpr std::size_t kSets = 4;  ///< of weights
 
   /// A gate is one counter that decides whether a bend is so unlikely that it
   /// is coded with this counter alone: 2 of 5 steps of a technical drawing.
@@ -139,7 +140,7 @@ class TurnModel {
   std::vector<entropy::Counter> gates_;
   entropy::Counter* gate_ = nullptr;
   std::uint64_t around_ = 0;
-  entropy::Mixer<kInputs, 3, 2> mixer_;
+  entropy::Mixer<kInputs, kSets, 2> mixer_;
   /// By the last turns, by the nearest cracks.
   std::array<entropy::Refiner, 2> refiners_;
 
@@ -161,8 +162,8 @@ class TurnModel {
   CurveFit::Gaps gaps_{};  ///< of the crack just walked
   MatchModel match_;
 
-  std::array<std::size_t, 3> next_selectors_{};
-  std::array<std::size_t, 3> selectors_{};
+  std::array<std::size_t, kSets> next_selectors_{};
+  std::array<std::size_t, kSets> selectors_{};
   std::array<std::size_t, 2> next_refined_{};
   std::array<std::size_t, 2> refined_{};
 };

@@ -176,7 +176,7 @@ class Mixer {
     }
   }
 
-  static constexpr int kRateStart = 1800;  ///< 0.027
+  static constexpr int kRateStart = 1400;  ///< 0.021
   static constexpr int kRateEnd = 350;     ///< 0.005
   static constexpr auto kRates = detail::make_mixer_rates(kRateStart, kRateEnd);
 

@@ -103,7 +103,7 @@ struct Trainer {
       open[i][0] += counter.p / 65536.0 * counter.n;
       open[i][1] += counter.n;
     }
-    for (std::size_t s = 0; s < 3; ++s) {
+    for (std::size_t s = 0; s < TurnModel::kSets; ++s) {
       const auto ages = turns.mixer().ages(s);
       for (std::size_t k = 0; k < ages.size(); ++k) {
         const double votes = std::sqrt(ages[k]);
