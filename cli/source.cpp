@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/output_format.h"
+#include "cli/program.h"
 #include "cli/reshape.h"
 
 namespace unstep::cli {
@@ -67,6 +68,7 @@ Result<Source> Source::recognise(const std::string& path,
   if (const auto format = promised(path)) {
     return open_vector(file, *format, options);
   }
+  if (names_program(path)) return open_program(file, options);
   // An empty text is a drawing without chains; an empty image is none.
   if (file.empty()) return Error{ErrorCode::truncated, "the file is empty"};
   auto kept = std::make_unique<std::vector<std::uint8_t>>(std::move(file));
@@ -110,6 +112,26 @@ Result<Source> Source::open_vector(const std::vector<std::uint8_t>& file,
   Source source;
   source.format_ = name_of(format);
   source.vectors_ = *std::move(pages);
+  source.grid_ = options.grid;
+  source.max_steps_ = options.limits.max_steps;
+  return source;
+}
+
+Result<Source> Source::open_program(const std::vector<std::uint8_t>& file,
+                                    const InputOptions& options) {
+  GcodeReadOptions how;
+  how.limits.max_memory = options.limits.max_memory;
+  const Result<Program> program = read_gcode(text_of(file), how);
+  if (!program) return program.error();
+  VectorPage page;
+  Result<Drawing> drawing = program_drawing(*program, &page.notes);
+  if (!drawing) return drawing.error();
+  page.drawing = *std::move(drawing);
+  // A grid unit is a millimetre.
+  page.info.resolution = {{10, 1}, {10, 1}, Resolution::Unit::centimetre};
+  Source source;
+  source.format_ = "gcode";
+  source.vectors_.push_back(std::move(page));
   source.grid_ = options.grid;
   source.max_steps_ = options.limits.max_steps;
   return source;

@@ -24,7 +24,7 @@ struct SourcePage {
 };
 
 /// Raster image, vector drawing, Freeman text or .ustp, recognised by content
-/// unless the options say.
+/// unless the options say; a program by its name, as the drawing it makes.
 class Source {
  public:
   /// `path` "-" is standard input. Errors do not repeat the path.
@@ -55,6 +55,8 @@ class Source {
   static Result<Source> open_vector(const std::vector<std::uint8_t>& file,
                                     VectorFormat format,
                                     const InputOptions& options);
+  static Result<Source> open_program(const std::vector<std::uint8_t>& file,
+                                     const InputOptions& options);
   static Result<Source> recognise(const std::string& path,
                                   std::vector<std::uint8_t> file,
                                   const InputOptions& options);
