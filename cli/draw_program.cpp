@@ -36,52 +36,26 @@ void add_length(CLI::App& verb, const char* name, double& length, bool sign,
   verb.add_option_function<std::string>(name, set, help)->type_name("LENGTH");
 }
 
-/// A page as paths, or chains, and their unit known.
 Result<WrittenProgram> draw_page(Page page, const DrawFiles& files,
                                  const DrawOptions& given,
-                                 ProgramOptions program, LineOptions lines,
+                                 const ProgramOptions& program,
+                                 LineOptions lines,
                                  std::vector<std::string>& notes) {
   DrawOptions options = given;
-  Status sized = set_unit_size(options, page.info.resolution, notes);
-  if (!sized) return sized.error();
-  if (!page.info.resolution.known() && page.kind != PageKind::paths) {
-    // Then a tolerance in mm is one in grid units of the size given.
-    const double unit = options.draw.unit_x;
-    if (lines.tolerance.unit == Quantity::Unit::millimetre) {
-      lines.tolerance.value /= unit;
-    } else if (lines.tolerance.unit == Quantity::Unit::inch) {
-      lines.tolerance.value *= 25.4 / unit;
-    }
-    lines.tolerance.unit = Quantity::Unit::grid;
-  }
-  if (page.kind == PageKind::ink || page.kind == PageKind::chains) {
-    Result<Page> drawn = to_lines(std::move(page), lines, files.effort);
-    if (!drawn) return drawn.error();
-    page = *std::move(drawn);
-    if (page.kind == PageKind::ink) {
-      Result<Drawing> chains = chains_of(page);
-      if (!chains) return chains.error();
-      page.drawing = *std::move(chains);
-    }
-    lines.method = LineOptions::Method::none;
-  }
-  if (!page.info.metadata.empty() || !page.info.name.empty()) {
-    notes.emplace_back("name and metadata of the page are not in the program");
-  }
   options.draw.profile = program.write.profile;
   options.draw.rules.quadrants = program.quadrants;
   if (program.write.decimals >= 0 && !program.write.inches) {
     options.draw.decimals = program.write.decimals;
   }
-  Result<Program> made = draw_program(page.drawing, options.draw, &notes);
+  Result<Program> made = program_of_page(std::move(page), files, options,
+                                         program.read, lines, notes);
   if (!made) return made.error();
-  notes.insert(notes.end(), made->notes.begin(), made->notes.end());
   return write_program(*std::move(made), program, lines);
 }
 
 }  // namespace
 
-void add_draw(CLI::App& verb, DrawOptions& options) {
+void add_unit_size(CLI::App& verb, DrawOptions& options) {
   const auto set_size = [&options](const std::string& text) {
     const Result<Quantity> size = parse_quantity(text);
     if (!size) throw CLI::ValidationError("--unit-size", size.error().message);
@@ -92,6 +66,10 @@ void add_draw(CLI::App& verb, DrawOptions& options) {
           "Drawing to program: how long a grid unit is, where the drawing does "
           "not say")
       ->type_name("LENGTH");
+}
+
+void add_draw(CLI::App& verb, DrawOptions& options) {
+  add_unit_size(verb, options);
   DrawProgramOptions& draw = options.draw;
   add_length(verb, "--feed", draw.feed, false,
              "Drawing to program: along the paths, a minute [1000mm]");
@@ -155,6 +133,50 @@ Status set_unit_size(DrawOptions& options, const Resolution& resolution,
                     resolution.y.denominator);
   }
   return {};
+}
+
+Result<Program> program_of_page(Page page, const DrawFiles& files,
+                                const DrawOptions& given,
+                                const GcodeReadOptions& read,
+                                LineOptions& lines,
+                                std::vector<std::string>& notes) {
+  if (page.kind == PageKind::program) {
+    Result<Program> program = read_gcode(page.program, read);
+    if (!program) return program.error();
+    notes.insert(notes.end(), program->notes.begin(), program->notes.end());
+    return program;
+  }
+  DrawOptions options = given;
+  Status sized = set_unit_size(options, page.info.resolution, notes);
+  if (!sized) return sized.error();
+  if (!page.info.resolution.known() && page.kind != PageKind::paths) {
+    // Then a tolerance in mm is one in grid units of the size given.
+    const double unit = options.draw.unit_x;
+    if (lines.tolerance.unit == Quantity::Unit::millimetre) {
+      lines.tolerance.value /= unit;
+    } else if (lines.tolerance.unit == Quantity::Unit::inch) {
+      lines.tolerance.value *= 25.4 / unit;
+    }
+    lines.tolerance.unit = Quantity::Unit::grid;
+  }
+  if (page.kind == PageKind::ink || page.kind == PageKind::chains) {
+    Result<Page> drawn = to_lines(std::move(page), lines, files.effort);
+    if (!drawn) return drawn.error();
+    page = *std::move(drawn);
+    if (page.kind == PageKind::ink) {
+      Result<Drawing> chains = chains_of(page);
+      if (!chains) return chains.error();
+      page.drawing = *std::move(chains);
+    }
+    lines.method = LineOptions::Method::none;
+  }
+  if (!page.info.metadata.empty() || !page.info.name.empty()) {
+    notes.emplace_back("name and metadata of the page are not in the program");
+  }
+  Result<Program> made = draw_program(page.drawing, options.draw, &notes);
+  if (!made) return made.error();
+  notes.insert(notes.end(), made->notes.begin(), made->notes.end());
+  return made;
 }
 
 ExitCode convert_to_program(const DrawFiles& given, const DrawOptions& draw,

@@ -9,6 +9,7 @@
 #include "cli/quantity.h"
 #include "unstep/codec.h"
 #include "unstep/program.h"
+#include "unstep/result.h"
 
 namespace CLI {
 class App;
@@ -26,10 +27,23 @@ struct DrawOptions {
 /// --tool-on and --tool-off.
 void add_draw(CLI::App& verb, DrawOptions& options);
 
+/// --unit-size alone.
+void add_unit_size(CLI::App& verb, DrawOptions& options);
+
 /// The size of a grid unit in mm, of the resolution unless there is none.
 /// invalid_argument if neither it nor --unit-size says.
 Status set_unit_size(DrawOptions& options, const Resolution& resolution,
                      std::vector<std::string>& notes);
+
+struct DrawFiles;
+
+/// A page of any kind as a program: a program's own, or what draws the page
+/// with options.draw. A tolerance of `lines` that was used is taken from them.
+Result<Program> program_of_page(Page page, const DrawFiles& files,
+                                const DrawOptions& options,
+                                const GcodeReadOptions& read,
+                                LineOptions& lines,
+                                std::vector<std::string>& notes);
 
 struct DrawFiles {
   ProgramFiles files;

@@ -12,6 +12,7 @@
 
 #include "cli/message.h"
 #include "cli/output.h"
+#include "cli/reshape.h"
 #include "unstep/formats.h"
 
 namespace unstep::cli {
@@ -91,6 +92,12 @@ std::string summary(const CompactReport& report, bool shortened) {
 
 }  // namespace
 
+Result<Rational> program_tolerance(const LineOptions& lines) {
+  const Result<double> length = tolerance_mm(lines);
+  if (!length) return length.error();
+  return to_tolerance({*length, Quantity::Unit::grid}, {});
+}
+
 Result<WrittenProgram> write_program(Program program,
                                      const ProgramOptions& options,
                                      const LineOptions& lines) {
@@ -141,10 +148,7 @@ std::string program_lines(const std::string& text) {
 }
 
 bool names_program(const std::string& path) {
-  for (const char* ending : {".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc"}) {
-    if (has_suffix(path, ending)) return true;
-  }
-  return false;
+  return format_of_name(path) == OutputFormat::program;
 }
 
 void add_program(CLI::App& verb, ProgramOptions& options) {

@@ -32,6 +32,9 @@ struct ProgramOptions {
 /// --block-delete, --header, --footer and --dense.
 void add_program(CLI::App& verb, ProgramOptions& options);
 
+/// --tolerance of a program in mm, never more. invalid_argument for pixels.
+Result<Rational> program_tolerance(const LineOptions& lines);
+
 /// A program as text, and what was done to it.
 struct WrittenProgram {
   std::string text;

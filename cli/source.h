@@ -24,7 +24,7 @@ struct SourcePage {
 };
 
 /// Raster image, vector drawing, Freeman text or .ustp, recognised by content
-/// unless the options say; a program by its name, as the drawing it makes.
+/// unless the options say; a program of a machine by its name.
 class Source {
  public:
   /// `path` "-" is standard input. Errors do not repeat the path.
@@ -55,8 +55,6 @@ class Source {
   static Result<Source> open_vector(const std::vector<std::uint8_t>& file,
                                     VectorFormat format,
                                     const InputOptions& options);
-  static Result<Source> open_program(const std::vector<std::uint8_t>& file,
-                                     const InputOptions& options);
   static Result<Source> recognise(const std::string& path,
                                   std::vector<std::uint8_t> file,
                                   const InputOptions& options);
@@ -66,6 +64,7 @@ class Source {
   std::uint32_t crc32_ = 0;
   std::optional<RasterReader> raster_;
   std::vector<VectorPage> vectors_;
+  std::optional<std::string> program_;
   std::optional<Quantity> grid_;
   std::uint64_t max_steps_ = 0;
   // The reader looks into the bytes, which therefore must not move.

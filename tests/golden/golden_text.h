@@ -36,7 +36,9 @@ inline std::string text_of(const PageEntry::Block& block) {
          std::to_string(block.first_row) + " + " + std::to_string(block.rows) +
          " chains " + std::to_string(block.chains) + " steps " +
          std::to_string(block.steps) +
-         (block.coder < 24
+         (block.coder == 28 ? " lines " + std::to_string(block.lines) +
+                                  " bytes " + std::to_string(block.text_bytes)
+          : block.coder < 24
               ? ""
               : " paths " + std::to_string(block.paths) + " elements " +
                     std::to_string(block.elements)) +

@@ -243,6 +243,8 @@ struct GcodeWriteOptions {
   /// Decimals of positions. Below 0: all that they have; where the unit is
   /// converted, 4 of a mm and 5 of an inch.
   int decimals = -1;
+  /// M2 where the program has no end; a closing % alone becomes M2.
+  bool add_end = true;
   std::string header;  ///< lines before all others
   std::string footer;  ///< lines after all others, before the program's end
 };
