@@ -41,6 +41,19 @@ void count_ink(const Page& page, Packed& packed) {
   packed.height = ink.height();
 }
 
+/// Bytes of a file of this program alone.
+Result<std::size_t> stored_size(const Page& page) {
+  EncodeOptions options;
+  options.verify = false;
+  UstpWriter writer(options);
+  if (Status added = writer.add_program(page.program, {}); !added) {
+    return added.error();
+  }
+  const Result<std::vector<std::uint8_t>> file = writer.finish();
+  if (!file) return file.error();
+  return file->size();
+}
+
 /// A program in the form that takes the least room, shortened if the lines say
 /// so.
 Result<Page> to_stored_program(Page page, const LineOptions& lines,
@@ -52,10 +65,21 @@ Result<Page> to_stored_program(Page page, const LineOptions& lines,
   packed.program_bytes += page.program.size();
   ProgramOptions options;
   options.write.add_end = false;
-  Result<WrittenProgram> written =
-      write_program(*std::move(program), options, lines);
+  Result<WrittenProgram> written = write_program(*program, options, {});
   if (!written) return written.error();
   page.program = std::move(written->text);
+  if (lines.method == LineOptions::Method::tolerance) {
+    // Fewer motions with other numbers can take more room.
+    Page shorter;
+    written = write_program(*std::move(program), options, lines);
+    if (!written) return written.error();
+    shorter.program = std::move(written->text);
+    const Result<std::size_t> whole = stored_size(page);
+    const Result<std::size_t> less = stored_size(shorter);
+    if (!whole) return whole.error();
+    if (!less) return less.error();
+    if (*less < *whole) page.program = std::move(shorter.program);
+  }
   packed.program_lines += static_cast<std::uint64_t>(
       std::count(page.program.begin(), page.program.end(), '\n'));
   if (lines.method == LineOptions::Method::tolerance) {

@@ -47,7 +47,13 @@ constexpr const char* kExamples =
     "  unstep steps part.svg -o part.csv --method device\n"
     "  unstep steps part.ngc -o part.vcd --timed --acceleration 800\n"
     "  unstep steps recorded.vcd -o part.ngc --step 0.01mm   back again\n"
-    "  unstep steps part.steps -o part.csv                   another format\n";
+    "  unstep steps part.steps -o part.csv                   another format\n"
+    "  unstep steps part.ngc -o part.dev                     for firmware\n";
+
+/// A device profile (src/firmware/unstep_steps.h).
+bool is_device(const std::string& word, const std::string& path) {
+  return word == "device" || (word.empty() && has_suffix(path, ".dev"));
+}
 
 std::optional<StepFormat> format_of(const std::string& word,
                                     const std::string& path) {
@@ -111,8 +117,35 @@ bool moves_z(const Program& program) {
   return false;
 }
 
+/// What firmware draws itself; proven by drawing it here.
+ExitCode write_device(const StepsOptions& options, const Program& program,
+                      const std::vector<std::string>& notes) {
+  const std::string name = input_name(options.input);
+  const Result<std::string> bytes = write_device_profile(program, options.make);
+  if (!bytes) return report_error(name, bytes.error());
+  StepReadOptions how;
+  how.head = step_head(options.make);
+  how.max_steps = options.make.max_steps;
+  const Result<StepStream> drawn = read_device_profile(*bytes, how);
+  if (!drawn) {
+    return report_error(name, {ErrorCode::internal, drawn.error().message});
+  }
+  const Status written = write_file(
+      options.output,
+      {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()},
+      options.force);
+  if (!written) {
+    return report_error(output_name(options.output), written.error());
+  }
+  Written all;
+  for (const StepRun& run : drawn->runs) all.add(run);
+  all.bytes = bytes->size();
+  report(options, drawn->head, all, notes);
+  return ExitCode::ok;
+}
+
 /// Any path to steps.
-ExitCode make(StepsOptions options, StepFormat format) {
+ExitCode make(StepsOptions options, std::optional<StepFormat> format) {
   const std::string name = input_name(options.input);
   Result<Source> source = Source::open(options.input, options.read);
   if (!source) return report_error(name, source.error());
@@ -137,12 +170,13 @@ ExitCode make(StepsOptions options, StepFormat format) {
     notes.emplace_back("Z is not in steps of 2 axes");
   }
   options.make.skip_unknown = options.skip_unknown;
+  if (!format) return write_device(options, *program, notes);
   FileOutput output(options.output, options.force);
   Written written;
   const ByteSink sink = output.sink();
   const StepHead head = step_head(options.make);
   Result<StepWriter> made =
-      StepWriter::create(format, head, [&](std::string_view bytes) {
+      StepWriter::create(*format, head, [&](std::string_view bytes) {
         written.bytes += bytes.size();
         return sink(bytes);
       });
@@ -173,6 +207,9 @@ Result<StepStream> read_stream(const StepsOptions& options) {
   how.head.axes = options.axes == 0 ? 2 : options.axes;
   how.max_steps = std::min(options.read.limits.max_steps,
                            options.read.limits.max_memory / 8);
+  if (is_device(options.from, options.input)) {
+    return read_device_profile(text, how);
+  }
   const std::optional<StepFormat> named =
       format_of(options.from, options.input);
   return read_steps(text, named ? *named : recognise_steps(text), how);
@@ -241,7 +278,8 @@ ExitCode rewrite(const StepsOptions& options, StepFormat format) {
 }
 
 bool names_steps(const StepsOptions& options) {
-  return !options.from.empty() || format_of("", options.input).has_value();
+  return !options.from.empty() || is_device("", options.input) ||
+         format_of("", options.input).has_value();
 }
 
 ExitCode steps(StepsOptions options) {
@@ -266,10 +304,20 @@ ExitCode steps(StepsOptions options) {
   }
   const std::optional<StepFormat> format =
       format_of(options.to, options.output);
+  const bool device = is_device(options.to, options.output);
+  if (device) {
+    if (names_steps(options)) {
+      return report_usage("steps", "a device profile is made of paths");
+    }
+    options.axes = 2;
+    options.make.method = Method::evaluation8;
+    options.make.timed = false;
+    return make(std::move(options), std::nullopt);
+  }
   if (!format) {
     return report_usage(
         "steps", fmt::format("{}: the name's ending is not steps, csv, vcd, "
-                             "raw or that of a program; say --to FORMAT",
+                             "raw, dev or that of a program; say --to FORMAT",
                              options.output));
   }
   return names_steps(options) ? rewrite(options, *format)
@@ -310,18 +358,19 @@ void add_steps(CLI::App& app, Context& context) {
       "steps", "Turn a path into step and direction pulses, and back");
   add_input(*verb, options->input,
             "A program, a drawing, or a stream of steps (.steps, .csv, .vcd, "
-            ".raw)");
+            ".raw, .dev)");
   verb->add_option("-o,--output", options->output,
-                   "The file to write: .steps, .csv, .vcd, .raw, or a program")
+                   "The file to write: .steps, .csv, .vcd, .raw, .dev, or a "
+                   "program")
       ->required()
       ->type_name("OUT");
   add_force(*verb, options->force);
   verb->add_option("--from", options->from,
-                   "IN is a stream: binary, csv, vcd or raw")
-      ->check(CLI::IsMember({"binary", "csv", "vcd", "raw"}))
+                   "IN is a stream: binary, csv, vcd, raw or device")
+      ->check(CLI::IsMember({"binary", "csv", "vcd", "raw", "device"}))
       ->type_name("FORMAT");
-  verb->add_option("--to", options->to, "binary, csv, vcd, raw or ngc")
-      ->check(CLI::IsMember({"binary", "csv", "vcd", "raw", "ngc"}))
+  verb->add_option("--to", options->to, "binary, csv, vcd, raw, device or ngc")
+      ->check(CLI::IsMember({"binary", "csv", "vcd", "raw", "device", "ngc"}))
       ->type_name("FORMAT");
   verb->add_option_function<std::string>(
           "--step",

@@ -84,6 +84,112 @@ SVG = ('<svg xmlns="http://www.w3.org/2000/svg"%s viewBox="0 0 50 40">'
        '<path fill="none" stroke="black" '
        'd="M5 5h20a5 5 0 0 1 5 5v10z"/></svg>')
 
+class Stored(harness.CliTest):
+    def given(self, name, text):
+        self.write(name, text.encode())
+
+    def text(self, name):
+        return self.read(name).decode()
+
+    def test_a_program_is_stored_and_comes_back(self):
+        self.given("in.ngc", "(top)\nG21 g90\nG00 X0 Y0\nN5 G01 X10.50 F600\n"
+                             "X20 Z-1\nM2\n")
+        result = self.run_cli("compress", "in.ngc")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertRegex(result.out, r"^in\.ngc -> in\.ustp: 1 page, 6 lines, "
+                                     r"\d+ bytes, [\d.]+ % of 65, verified\n$")
+        result = self.run_cli("decompress", "in.ustp", "-o", "out.ngc")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.text("out.ngc"),
+                         "(top)\nG21 g90\nG0 X0 Y0\nG1 X10.5 F600\n"
+                         "X20 Z-1\nM2\n")
+        result = self.run_cli("verify", "in.ngc", "in.ustp")
+        self.assertEqual(result.out,
+                         "in.ngc and in.ustp are the same: 1 page\n")
+        result = self.run_cli("info", "in.ustp")
+        self.assertIn("page 1: program\n", result.out)
+        self.assertIn("6 lines, 56 bytes of text", result.out)
+
+    def test_a_program_is_shortened_on_its_way(self):
+        self.given("in.ngc", circle(300))
+        result = self.run_cli("compress", "in.ngc", "--tolerance", "0.005mm")
+        self.assertEqual(result.code, 0, result.err)
+        self.assertIn("5 lines within 0.005 mm", result.out)
+        # Its own ending is the natural one, and any form can be asked for.
+        self.run_cli("decompress", "in.ustp", "-o", "out.nc")
+        self.assertEqual(self.text("out.nc").count("\n"), 5)
+        result = self.run_cli("convert", "in.ustp", "r.nc", "--arc-words", "r")
+        self.assertEqual(result.code, 0, result.err)
+        self.assertIn(" R20", self.text("r.nc"))
+        result = self.run_cli("decompress", "in.ustp", "--to", "svg")
+        self.assertEqual(result.code, 0, result.err)
+        result = self.run_cli("verify", "in.ngc", "in.ustp")
+        self.assertEqual(result.code, 1)
+
+    def test_drawings_are_no_programs(self):
+        self.write("in.svg", (SVG % ' width="50mm" height="40mm"').encode())
+        self.run_cli("compress", "in.svg")
+        result = self.run_cli("decompress", "in.ustp", "-o", "out.ngc")
+        self.assertEqual(result.code, 3)
+        self.assertIn("unstep convert makes programs", result.err)
+        self.assertNotIn("out.ngc", self.names())
+
+
+class Steps(harness.CliTest):
+    def given(self, name, text):
+        self.write(name, text.encode())
+
+    def text(self, name):
+        return self.read(name).decode()
+
+    def test_a_program_becomes_steps_and_comes_back(self):
+        text = ("G21 G90 G17 G94\nG0 X0 Y0\nG1 X1 Y0.5 F1000\n"
+                "G2 X1.5 Y0 J-0.5\nG0 X0\n")
+        self.given("in.ngc", text + "M2\n")
+        result = self.run_cli("steps", "in.ngc", "-o", "a.steps")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertRegex(result.out, r"^in\.ngc -> a\.steps: \d+ steps, 2 axes, "
+                                     r"\d+ bytes\n$")
+        for name in ("a.csv", "a.vcd"):
+            result = self.run_cli("steps", "a.steps", "-o", name)
+            self.assertEqual((result.code, result.err), (0, ""))
+            result = self.run_cli("steps", name, "-o", "back.ngc", "--force")
+            self.assertEqual((result.code, result.err), (0, ""))
+            self.assertEqual(self.text("back.ngc"), text + "M2\n")
+
+    def test_steps_take_the_time_of_the_machine(self):
+        self.given("in.ngc", "G0 X0 Y0\nG1 X10 F600\n")
+        result = self.run_cli("steps", "in.ngc", "-o", "a.csv", "--timed",
+                              "--acceleration", "100")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertIn(", 1.100 s\n", result.out)
+
+    def test_a_drawing_becomes_steps(self):
+        self.write("in.svg", (SVG % ' width="50mm" height="40mm"').encode())
+        result = self.run_cli("steps", "in.svg", "-o", "a.csv", "--step",
+                              "5mm", "-q")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertTrue(self.text("a.csv").startswith(
+            "# unstep step 5 origin 0 0\nx,y,rapid\n1,1,1\n0,1,1\n"))
+
+    def test_firmware_gets_its_payload(self):
+        self.given("in.ngc", "G0 X0 Y0\nG1 X0.03 Y0.01 F600\n")
+        result = self.run_cli("steps", "in.ngc", "-o", "a.dev")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.read("a.dev")[:4], b"\x01\x03\x01\x00")
+        result = self.run_cli("steps", "a.dev", "-o", "a.raw")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.read("a.raw"), b"\x01\x05\x01")
+
+    def test_bad_streams_leave_nothing_behind(self):
+        self.given("a.csv", "x,y\n1,0\n2,0\n")
+        result = self.run_cli("steps", "a.csv", "-o", "out.ngc")
+        self.assertEqual(result.code, 3)
+        self.assertEqual(result.err,
+                         "unstep: a.csv: line 3: a step is -1, 0 or 1\n")
+        self.assertEqual(self.names(), ["a.csv"])
+
+
 PENS = "unstep: warning: in.svg: widths of pens are not kept\n"
 
 

@@ -62,9 +62,10 @@ inline std::string text_of(const FileInfo& info) {
       text_of(info.metadata, "");
   for (const PageEntry& page : info.pages) {
     text += std::string("page ") +
-            (page.kind == PageKind::ink      ? "ink "
-             : page.kind == PageKind::chains ? "chains "
-                                             : "paths ") +
+            (page.kind == PageKind::ink       ? "ink "
+             : page.kind == PageKind::chains  ? "chains "
+             : page.kind == PageKind::program ? "program "
+                                              : "paths ") +
             std::to_string(page.canvas.width) + " x " +
             std::to_string(page.canvas.height) +
             (page.canvas.y_axis == YAxis::up ? " y up" : "") +
