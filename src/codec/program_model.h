@@ -33,7 +33,12 @@ class ProgramModel {
       const bool used = coder.code((frame.words >> word & 1) != 0, 32768);
       if (used) frame_.words |= 1U << word;
     }
+    std::uint32_t groups = 0;  // that occur
+    for (std::size_t word = 0; word < kProgramWords; ++word) {
+      if ((frame_.words >> word & 1) != 0) groups |= 1U << program_group(word);
+    }
     for (std::size_t group = 0; group < frame.decimals.size(); ++group) {
+      if ((groups >> group & 1) == 0) continue;
       int decimals = 0;
       for (int bit = 2; bit >= 0; --bit) {
         const bool one =

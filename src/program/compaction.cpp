@@ -3,9 +3,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "program/arc_merge.h"
 #include "program/run_cover.h"
 #include "program/run_finder.h"
 #include "unstep/program.h"
@@ -38,6 +40,20 @@ std::int64_t grid_of(int decimals, bool inches) {
   return grid;
 }
 
+std::uint64_t cutting_motions(const Program& program) {
+  return static_cast<std::uint64_t>(std::count_if(
+      program.items.begin(), program.items.end(), [](const ProgramItem& item) {
+        return item.is_motion() && item.kind != Kind::rapid;
+      }));
+}
+
+bool has_arcs_in_a_row(const Program& program) {
+  return std::adjacent_find(program.items.begin(), program.items.end(),
+                            [](const ProgramItem& a, const ProgramItem& b) {
+                              return a.is_arc() && a.kind == b.kind;
+                            }) != program.items.end();
+}
+
 class Compaction {
  public:
   Compaction(const Program& in, const CompactOptions& options)
@@ -67,11 +83,9 @@ class Compaction {
         ++i;
       }
     }
-    for (const ProgramItem& item : in_.items) {
-      report.lines_before += item.is_motion() && item.kind != Kind::rapid;
-    }
+    report.lines_before = cutting_motions(in_);
+    report.lines_after = cutting_motions(out_);
     for (const ProgramItem& item : out_.items) {
-      report.lines_after += item.is_motion() && item.kind != Kind::rapid;
       report.arcs_after += item.is_arc();
     }
     return std::move(out_);
@@ -270,7 +284,16 @@ Result<Program> compact(const Program& program, const CompactOptions& options,
   }
   try {
     CompactReport done;
-    Result<Program> made = Compaction(program, options).make(done);
+    // Arcs keep their ends, so that what they use of the tolerance is theirs.
+    std::optional<Program> merged;
+    if (has_arcs_in_a_row(program)) {
+      merged = program;
+      merge_arcs(*merged, options.tolerance_mm * kPerMm - kMargin,
+                 options.rules);
+    }
+    Result<Program> made =
+        Compaction(merged ? *merged : program, options).make(done);
+    if (merged) done.lines_before = cutting_motions(program);
     if (made && options.rules.quadrants) {
       made = split_arcs(*made, options.rules);
     }

@@ -260,12 +260,16 @@ TEST(damaged_steps, as_text_are_sound) {
     std::string text = *write_steps(stream, format);
     for (std::size_t size = 0; size < text.size(); ++size) {
       const auto cut = read_steps(text.substr(0, size), format, {});
-      if (cut) EXPECT_LE(count_of(*cut), count_of(stream));
+      if (cut) {
+        EXPECT_LE(count_of(*cut), count_of(stream));
+      }
     }
     for (std::size_t bit = 0; bit < text.size() * 8; ++bit) {
       text[bit / 8] = static_cast<char>(text[bit / 8] ^ 1 << bit % 8);
       const auto read = read_steps(text, format, {});
-      if (read) EXPECT_TRUE(write_steps(*read, StepFormat::binary));
+      if (read) {
+        EXPECT_TRUE(write_steps(*read, StepFormat::binary));
+      }
       text[bit / 8] = static_cast<char>(text[bit / 8] ^ 1 << bit % 8);
     }
   }

@@ -211,7 +211,8 @@ struct CompactReport {
 
 /// Merges lines that follow each other into longer lines and into arcs of the
 /// plane in force. Feed, spindle and modes are the same over what is merged,
-/// and nothing stands between. Rapids, arcs, text and motions from or to a
+/// and nothing stands between. Arcs that follow each other on one circle become
+/// one. Rapids, other arcs, text and motions from or to a
 /// position that is not known stay. Where text depends on the exact position,
 /// it is exact.
 /// out_of_range for the options.
