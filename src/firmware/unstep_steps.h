@@ -41,8 +41,8 @@ enum {
 };
 
 typedef struct {
-  const uint8_t *next;
-  const uint8_t *end;
+  const uint8_t* next;
+  const uint8_t* end;
   uint8_t kind;      /* of the record at work: 0 none, 1 line, 2 arc */
   uint8_t last;      /* UNSTEP_STEPS_BAD or _END once it was met, else 0 */
   uint8_t rapid;     /* 0x10 in rapids */
@@ -64,7 +64,7 @@ typedef struct {
   uint32_t f; /* arc: a^2 + b^2 - R^2, two's complement */
 } unstep_steps;
 
-static inline uint8_t unstep_steps_byte(const uint8_t *at) {
+static inline uint8_t unstep_steps_byte(const uint8_t* at) {
 #if defined(UNSTEP_STEPS_FLASH)
   return pgm_read_byte(at);
 #else
@@ -73,27 +73,27 @@ static inline uint8_t unstep_steps_byte(const uint8_t *at) {
 }
 
 /* The first piece of a payload, or the next one after UNSTEP_STEPS_MORE. */
-static inline void unstep_steps_more(unstep_steps *s, const uint8_t *payload,
+static inline void unstep_steps_more(unstep_steps* s, const uint8_t* payload,
                                      uint32_t size) {
   s->next = payload;
   s->end = payload + size;
 }
 
-static inline void unstep_steps_begin(unstep_steps *s, const uint8_t *payload,
+static inline void unstep_steps_begin(unstep_steps* s, const uint8_t* payload,
                                       uint32_t size) {
   memset(s, 0, sizeof *s);
   unstep_steps_more(s, payload, size);
 }
 
 /* A number of one byte, or of two, the lower first. */
-static inline int16_t unstep_steps_number(const uint8_t *at, uint8_t wide) {
+static inline int16_t unstep_steps_number(const uint8_t* at, uint8_t wide) {
   const uint8_t low = unstep_steps_byte(at);
   if (!wide) return (int8_t)low;
   return (int16_t)((uint16_t)unstep_steps_byte(at + 1) << 8 | low);
 }
 
-static inline void unstep_steps_line(unstep_steps *s, uint8_t wide) {
-  const uint8_t *at = s->next;
+static inline void unstep_steps_line(unstep_steps* s, uint8_t wide) {
+  const uint8_t* at = s->next;
   int16_t x = unstep_steps_number(at, wide);
   int16_t y = unstep_steps_number(at + 1 + wide, wide);
   uint8_t along_x = 1, along_y = 4;
@@ -116,7 +116,7 @@ static inline void unstep_steps_line(unstep_steps *s, uint8_t wide) {
 
 /* Words of the frame's steps in the plane: 0 to 3 quarter turns, then the
  * mirror. */
-static inline void unstep_steps_words(unstep_steps *s) {
+static inline void unstep_steps_words(unstep_steps* s) {
   /* Along a and back along b: the moves (1, 0) and (0, -1) turned. */
   switch (s->turns & 3) {
     case 0: s->word_a = 1, s->word_b = 12; break;
@@ -130,7 +130,7 @@ static inline void unstep_steps_words(unstep_steps *s) {
   }
 }
 
-static inline void unstep_steps_target(unstep_steps *s) {
+static inline void unstep_steps_target(unstep_steps* s) {
   if (s->crossings > 0) {
     s->to_a = s->most;
     s->to_b = 0;
@@ -140,9 +140,9 @@ static inline void unstep_steps_target(unstep_steps *s) {
   }
 }
 
-static inline void unstep_steps_arc(unstep_steps *s, uint8_t head,
+static inline void unstep_steps_arc(unstep_steps* s, uint8_t head,
                                     uint8_t wide) {
-  const uint8_t *at = s->next;
+  const uint8_t* at = s->next;
   const uint8_t size = (uint8_t)(1 + wide);
   s->mirrored = head & 32;
   s->turns = head >> 6;
@@ -166,7 +166,7 @@ static inline void unstep_steps_arc(unstep_steps *s, uint8_t head,
 }
 
 /* Reads the next record. 0, or what unstep_steps_next is to return. */
-static inline uint8_t unstep_steps_record(unstep_steps *s) {
+static inline uint8_t unstep_steps_record(unstep_steps* s) {
   uint8_t head, kind, wide, size;
   if (s->next == s->end) return UNSTEP_STEPS_MORE;
   head = unstep_steps_byte(s->next);
@@ -191,7 +191,7 @@ static inline uint8_t unstep_steps_record(unstep_steps *s) {
 }
 
 /* To an end that is not on the circle; 0 once there. */
-static inline uint8_t unstep_steps_correct(unstep_steps *s) {
+static inline uint8_t unstep_steps_correct(unstep_steps* s) {
   uint8_t word = 0;
   /* Backwards is the other bit of an axis that steps. */
   if (s->a < s->end_a) ++s->a, word = s->word_a;
@@ -206,7 +206,7 @@ static inline uint32_t unstep_steps_size(uint32_t v) {
   return (int32_t)v < 0 ? 0 - v : v;
 }
 
-static inline uint8_t unstep_steps_next_arc(unstep_steps *s) {
+static inline uint8_t unstep_steps_next_arc(unstep_steps* s) {
   uint32_t fa, fb, fab, only_a, only_b, both;
   uint8_t step_a, step_b;
   while (!s->walked && s->a == s->to_a && s->b == s->to_b) {
@@ -243,7 +243,7 @@ static inline uint8_t unstep_steps_next_arc(unstep_steps *s) {
   return s->word_a | s->word_b;
 }
 
-static inline uint8_t unstep_steps_next_line(unstep_steps *s) {
+static inline uint8_t unstep_steps_next_line(unstep_steps* s) {
   if (s->n == 0) return 0;
   --s->n;
   s->rest = (int16_t)(s->rest - s->least);
@@ -255,7 +255,7 @@ static inline uint8_t unstep_steps_next_line(unstep_steps *s) {
 /* The next step's word, or UNSTEP_STEPS_MORE, _BAD or _END. A record without
  * steps is passed over; the encoder writes none, so that a call reads at most
  * one record. */
-static inline uint8_t unstep_steps_next(unstep_steps *s) {
+static inline uint8_t unstep_steps_next(unstep_steps* s) {
   for (;;) {
     uint8_t word = 0;
     if (s->last != 0) return s->last;

@@ -5,8 +5,9 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>
-#include "src/firmware/unstep_steps.h"
+
 #include "profile.h"
+#include "src/firmware/unstep_steps.h"
 
 static unstep_steps s;
 

@@ -10,11 +10,11 @@
 
 enum { GPIOR0 = 0x3e, GPIOR1 = 0x4a, GPIOR2 = 0x4b };
 
-static FILE *words;
+static FILE* words;
 static avr_cycle_count_t begin, taken, most[3], sum[3], count[3];
 static int bytes, last;
 
-static void write0(avr_t *avr, avr_io_addr_t addr, uint8_t v, void *param) {
+static void write0(avr_t* avr, avr_io_addr_t addr, uint8_t v, void* param) {
   (void)addr;
   (void)param;
   taken = avr->cycle - begin;
@@ -22,7 +22,7 @@ static void write0(avr_t *avr, avr_io_addr_t addr, uint8_t v, void *param) {
   if (v < 0xfd) fputc(v, words);
 }
 /* 1 before a call; the kind of the record after it. */
-static void write1(avr_t *avr, avr_io_addr_t addr, uint8_t v, void *param) {
+static void write1(avr_t* avr, avr_io_addr_t addr, uint8_t v, void* param) {
   static int before = 1;
   (void)addr;
   (void)param;
@@ -35,16 +35,16 @@ static void write1(avr_t *avr, avr_io_addr_t addr, uint8_t v, void *param) {
   }
   before = !before;
 }
-static void write2(avr_t *avr, avr_io_addr_t addr, uint8_t v, void *param) {
+static void write2(avr_t* avr, avr_io_addr_t addr, uint8_t v, void* param) {
   (void)avr;
   (void)addr;
   (void)param;
   bytes = v;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   elf_firmware_t firmware;
-  avr_t *avr;
+  avr_t* avr;
   int state = cpu_Running;
   if (argc != 3) return 2;
   memset(&firmware, 0, sizeof firmware);
@@ -58,8 +58,7 @@ int main(int argc, char **argv) {
   avr_register_io_write(avr, GPIOR0, write0, NULL);
   avr_register_io_write(avr, GPIOR1, write1, NULL);
   avr_register_io_write(avr, GPIOR2, write2, NULL);
-  while (state != cpu_Done && state != cpu_Crashed &&
-         avr->cycle < 400000000) {
+  while (state != cpu_Done && state != cpu_Crashed && avr->cycle < 400000000) {
     state = avr_run(avr);
   }
   fclose(words);
