@@ -65,7 +65,8 @@ int write(const std::string& folder) {
     return 1;
   }
   std::ofstream header(folder + "/profile.h");
-  header << "static const uint8_t profile[] PROGMEM = {";
+  header << "#include <avr/pgmspace.h>\n#include <stdint.h>\n"
+            "static const uint8_t profile[] PROGMEM = {";
   for (const char byte : *profile) {
     header << static_cast<int>(static_cast<unsigned char>(byte)) << ",";
   }

@@ -29,7 +29,8 @@ StepStream steps_of(const std::string& text, StepMakeOptions options = {}) {
 std::string random_program(unsigned seed, bool arcs, int axes) {
   std::mt19937 random(seed);
   const auto coordinate = [&random](int most) {
-    const int whole = static_cast<int>(random() % (2U * most)) - most;
+    const int whole =
+        static_cast<int>(random() % static_cast<unsigned>(2 * most)) - most;
     return std::to_string(whole / 100.0);
   };
   std::string text = "G21 G90\nG0 X1 Y2 Z0\n";
