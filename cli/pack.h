@@ -25,6 +25,8 @@ struct Packed {
   std::uint64_t paths = 0;
   std::uint64_t lines = 0;  ///< elements of the paths stored
   std::uint64_t arcs = 0;
+  std::uint64_t program_lines = 0;   ///< of programs
+  std::uint64_t program_bytes = 0;   ///< as they were read
   std::optional<Fidelity> fidelity;  ///< of the last page of paths
   std::int32_t width = 0;            ///< of the last page
   std::int32_t height = 0;
@@ -45,7 +47,8 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
 [[nodiscard]] std::string describe(const Packed& packed, bool verified);
 
 /// " within 1 px", " within 1 px on each axis"; nothing for what is exact.
-[[nodiscard]] std::string describe_bound(const Fidelity& fidelity);
+[[nodiscard]] std::string describe_bound(const Fidelity& fidelity,
+                                         std::string_view unit = "px");
 
 /// Adds "page 2: " to a message about one of several pages, unless it is there.
 [[nodiscard]] std::string on_page(std::size_t index, std::size_t count,

@@ -9,6 +9,7 @@
 
 #include "unstep/deviation.h"
 #include "unstep/interpolate.h"
+#include "unstep/program.h"
 #include "unstep/reverse.h"
 #include "unstep/trace.h"
 
@@ -316,6 +317,21 @@ Result<Page> to_steps(Page page, const Quantity& grid,
     }
   }
   return page;
+}
+
+Result<Page> draw_program_page(const Page& page,
+                               std::vector<std::string>& notes) {
+  const Result<Program> program = read_gcode(page.program, {});
+  if (!program) return program.error();
+  Result<Drawing> drawing = program_drawing(*program, &notes);
+  if (!drawing) return drawing.error();
+  Page out;
+  out.kind = PageKind::paths;
+  out.info = page.info;
+  // A grid unit is a millimetre.
+  out.info.resolution = {{10, 1}, {10, 1}, Resolution::Unit::centimetre};
+  out.drawing = *std::move(drawing);
+  return out;
 }
 
 Result<Drawing> device_chains(const Drawing& paths) {

@@ -36,6 +36,10 @@ Result<Page> to_steps(Page page, const Quantity& grid, std::uint64_t max_steps);
 Result<Bitmap> to_ink(const Page& page, const DecodeLimits& limits,
                       std::vector<std::string>& notes);
 
+/// A page of a program as what the program draws.
+Result<Page> draw_program_page(const Page& page,
+                               std::vector<std::string>& notes);
+
 /// The chains that the segments of a page of Fidelity::Kind::device draw.
 Result<Drawing> device_chains(const Drawing& paths);
 

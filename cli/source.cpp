@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/output_format.h"
+#include "cli/program.h"
 #include "cli/reshape.h"
 
 namespace unstep::cli {
@@ -67,6 +68,14 @@ Result<Source> Source::recognise(const std::string& path,
   if (const auto format = promised(path)) {
     return open_vector(file, *format, options);
   }
+  if (names_program(path)) {
+    Source source;
+    source.format_ = "gcode";
+    source.program_.emplace(text_of(file));
+    source.grid_ = options.grid;
+    source.max_steps_ = options.limits.max_steps;
+    return source;
+  }
   // An empty text is a drawing without chains; an empty image is none.
   if (file.empty()) return Error{ErrorCode::truncated, "the file is empty"};
   auto kept = std::make_unique<std::vector<std::uint8_t>>(std::move(file));
@@ -117,6 +126,7 @@ Result<Source> Source::open_vector(const std::vector<std::uint8_t>& file,
 
 std::size_t Source::page_count() const {
   if (raster_) return raster_->page_count();
+  if (program_) return 1;
   return ustp_ ? ustp_->info().pages.size() : vectors_.size();
 }
 
@@ -126,6 +136,9 @@ Result<SourcePage> Source::read(std::size_t index) {
     Result<Page> page = ustp_->read_page(index);
     if (!page) return page.error();
     out.page = std::move(*page);
+  } else if (program_) {
+    out.page.kind = PageKind::program;
+    out.page.program = *program_;
   } else if (!raster_) {
     VectorPage& vector = vectors_[index];
     out.page.kind =
@@ -140,6 +153,11 @@ Result<SourcePage> Source::read(std::size_t index) {
     out.page.ink = std::move(page->ink);
     out.lossless = page->lossless;
     out.notes = std::move(page->notes);
+  }
+  if (grid_ && out.page.kind == PageKind::program) {
+    Result<Page> drawn = draw_program_page(out.page, out.notes);
+    if (!drawn) return drawn.error();
+    out.page = *std::move(drawn);
   }
   if (grid_ && out.page.kind == PageKind::paths) {
     Result<Page> steps = to_steps(std::move(out.page), *grid_, max_steps_);

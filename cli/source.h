@@ -24,7 +24,7 @@ struct SourcePage {
 };
 
 /// Raster image, vector drawing, Freeman text or .ustp, recognised by content
-/// unless the options say.
+/// unless the options say; a program of a machine by its name.
 class Source {
  public:
   /// `path` "-" is standard input. Errors do not repeat the path.
@@ -64,6 +64,7 @@ class Source {
   std::uint32_t crc32_ = 0;
   std::optional<RasterReader> raster_;
   std::vector<VectorPage> vectors_;
+  std::optional<std::string> program_;
   std::optional<Quantity> grid_;
   std::uint64_t max_steps_ = 0;
   // The reader looks into the bytes, which therefore must not move.

@@ -8,6 +8,8 @@ needs_build="cmake g++ ninja-build zlib1g-dev libpng-dev libtiff-dev
 needs_tests="libgtest-dev libgmock-dev python3 clang-format-14"
 # Programs that read our vector files, for the label clients.
 needs_clients="librsvg2-bin libxml2-utils poppler-utils hp2xx python3-ezdxf"
+# The decoder of firmware on a simulated controller, for the label firmware.
+needs_firmware="gcc-avr avr-libc libsimavr-dev libelf-dev"
 needs_demo="netpbm"
 
 # install_missing package...: does nothing if all are there. Needs root or

@@ -108,7 +108,7 @@ class Convert(harness.CliTest):
                 (["a.pbm", "-"], "standard output needs --to FORMAT"),
                 (["a.pbm", "a.ustp"], ".ustp files are made by compress"),
                 (["a.pbm", "a.xyz"], "a.xyz: the name's ending is not png, "
-                 "pbm, tif, svg, dxf, pdf, hpgl, json or fc; say --to "
+                 "pbm, tif, svg, dxf, pdf, hpgl, json, fc or ngc; say --to "
                  "FORMAT")]:
             self.expect_error(["convert", *args], 2, f"unstep: {reason} "
                               "(see unstep convert --help)\n")

@@ -84,7 +84,7 @@ class Usage(harness.CliTest):
         self.expect_error(
             ["decompress", "a.ustp", "--to", "jpg"], 2,
             "unstep: --to: 'jpg' is not png, pbm, tif, svg, dxf, pdf, hpgl, "
-            "json or fc (see unstep decompress --help)\n")
+            "json, fc or ngc (see unstep decompress --help)\n")
 
 
 if __name__ == "__main__":
