@@ -96,8 +96,8 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
     page_pixels = read.ink.pixels();
     ++packed.pages;
     if (read.kind == PageKind::ink) count_ink(read, packed);
-    const Result<Page> stored =
-        to_lines(std::move(page->page), options.lines, options.effort);
+    const Result<Page> stored = to_lines(std::move(page->page), options.lines,
+                                         options.effort, LineAim::few_bytes);
     if (!stored) {
       return Error{stored.error().code,
                    on_page(index, count, stored.error().message)};
