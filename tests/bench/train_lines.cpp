@@ -19,8 +19,8 @@ namespace {
 using namespace unstep;
 using reverse::LinePrice;
 
-constexpr double kFewLines = 400;      ///< in full; more count as their root
-constexpr double kPriorLines = 2000;   ///< what all tables stand for
+constexpr double kFewLines = 400;     ///< in full; more count as their root
+constexpr double kPriorLines = 2000;  ///< what all tables stand for
 
 struct Sums {
   std::vector<double> turns;
@@ -66,8 +66,7 @@ void count(const Drawing& drawing, Sums& sums) {
     after.count(vertices_of(path), path.closed);
     lines += static_cast<double>(path.elements.size());
   }
-  const double weight =
-      lines > kFewLines ? std::sqrt(kFewLines / lines) : 1.0;
+  const double weight = lines > kFewLines ? std::sqrt(kFewLines / lines) : 1.0;
   add(differences(after.turn_counts(), before.turn_counts()), weight,
       sums.turns);
   add(differences(after.length_counts(), before.length_counts()), weight,
