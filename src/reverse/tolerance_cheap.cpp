@@ -52,19 +52,21 @@ LineVertex top_of(const ChainWalk& ring) {
   return top;
 }
 
-/// The steps from the topmost point along its row, forwards or, if negative,
-/// backwards.
+/// The straight steps from the topmost point along its row, forwards or, if
+/// negative, backwards.
 std::ptrdiff_t row_length(const ChainWalk& ring, const LineVertex& top) {
   const auto lap = static_cast<std::ptrdiff_t>(ring.size());
-  const auto along = [&](std::ptrdiff_t i) {
-    return ring.delta(ring.step(static_cast<std::size_t>((i + lap) % lap))).y ==
-           0;
+  const auto start = static_cast<std::ptrdiff_t>(top.index);
+  // Whether step i leads along the row, away from its left end if `right`.
+  const auto along = [&](std::ptrdiff_t i, bool right) {
+    const Point move =
+        ring.delta(ring.step(static_cast<std::size_t>((i + lap) % lap)));
+    return move.y == 0 && (move.x > 0) == right;
   };
-  auto i = static_cast<std::ptrdiff_t>(top.index);
   std::ptrdiff_t n = 0;
-  while (n < lap && along((i + n) % lap)) ++n;
+  while (n < lap && along(start + n, true)) ++n;
   if (n > 0) return n;
-  while (-n < lap && along((i + n - 1) % lap)) --n;
+  while (-n < lap && along(start + n - 1, false)) --n;
   return n;
 }
 
