@@ -131,7 +131,7 @@ ArcPath without_arcs(LineVertices vertices) {
 void drop_dear_arcs(ArcPath& path, const LinePrice& price) {
   if (path.ring) return;
   // About what a centre needs, more or less by the radius, and that it is one.
-  constexpr std::int32_t kCentre = 14 * LinePrice::kBit;
+  constexpr std::int32_t kCentre = 16 * LinePrice::kBit;
   PathParts parts;
   vectors::Vec before;
   std::size_t start = 0;

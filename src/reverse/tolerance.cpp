@@ -76,7 +76,7 @@ std::vector<LineVertices> fit_cheap(std::span<const ChainWalk> chains,
   }
   price.settle();
   std::vector<LineVertices> lines;
-  for (int round = 0; round < (wide ? 2 : 1); ++round) {
+  for (int round = 0; round < (wide ? 3 : 2); ++round) {
     if (round > 0) {
       price = reverse::LinePrice();
       for (std::size_t i = 0; i < chains.size(); ++i) {

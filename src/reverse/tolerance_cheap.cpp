@@ -16,6 +16,26 @@ constexpr std::size_t kManyStarts = 1024;
 constexpr std::size_t kStarts = 2;
 constexpr std::size_t kWideStarts = 6;
 
+/// A ring of vertices on the chain, begun at the topmost one.
+LineVertices from_top(LineVertices ring, std::size_t lap) {
+  if (ring.size() < 2) return ring;
+  const auto top = std::min_element(
+      ring.begin(), ring.end() - 1,
+      [](const LineVertex& a, const LineVertex& b) {
+        return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x);
+      });
+  ring.pop_back();
+  std::rotate(ring.begin(), top, ring.end());
+  // What came before the top is a lap later now.
+  const std::size_t first = ring.front().index;
+  for (LineVertex& vertex : ring) {
+    if (vertex.index < first) vertex.index += lap;
+    vertex.index -= first / lap * lap;
+  }
+  ring.push_back({ring.front().index + lap, ring.front().at});
+  return ring;
+}
+
 /// Lines along the one-pass fit: between the ends of its long lines, searched.
 std::optional<std::int64_t> lay(const LineVertices& fit, CheapSearch& search,
                                 bool free, LineVertices& path) {
@@ -122,7 +142,7 @@ LineVertices fit_ring(const ChainWalk& chain, PathTolerance tolerance,
     best_cost = *cost;
     best = std::move(path);
   }
-  return best.empty() ? fit : best;
+  return best.empty() ? from_top(fit, chain.size()) : best;
 }
 
 }  // namespace
@@ -132,7 +152,9 @@ LineVertices fit_cheap_lines(const ChainWalk& chain, PathTolerance tolerance,
   LineVertices fit = fit_lines(chain, tolerance);
   if (fit.size() <= 2) return fit;
   if (chain.closed()) {
-    if (chain.size() <= kSpeckSteps || fit.size() <= 3) return fit;
+    if (chain.size() <= kSpeckSteps || fit.size() <= 3) {
+      return from_top(std::move(fit), chain.size());
+    }
     return fit_ring(chain, tolerance, price, wide, fit);
   }
   CheapSearch search(chain, tolerance, price);

@@ -70,7 +70,7 @@ void code(const Drawing& drawing, Prepare prepare, Learn learn) {
   for (const Path& path : drawing.paths) elements += path.elements.size();
   Side side{drawing.paths, {}};
   const auto scan = std::make_unique<codec::PathScan<Side>>(
-      side, drawing.paths.size(), elements, kTableBits);
+      side, drawing.paths.size(), elements, path_warm::Table{});
   prepare(scan->model().vectors());
   if (scan->run({})) learn(scan->model().vectors());
 }
