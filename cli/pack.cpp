@@ -156,7 +156,8 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
         read.kind == PageKind::program
             ? to_stored_program(std::move(page->page), options.lines, packed,
                                 page->notes)
-            : to_lines(std::move(page->page), options.lines, options.effort);
+            : to_lines(std::move(page->page), options.lines, options.effort,
+                       LineAim::few_bytes);
     if (!stored) {
       return Error{stored.error().code,
                    on_page(index, count, stored.error().message)};

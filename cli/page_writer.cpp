@@ -57,7 +57,8 @@ Status PageWriter::Impl::add_drawing(Page page,
   if (page.kind == PageKind::ink && lines.method == LineOptions::Method::none) {
     added = add_contours(page);
   } else {
-    Result<Page> drawn = to_lines(std::move(page), lines, effort);
+    Result<Page> drawn =
+        to_lines(std::move(page), lines, effort, LineAim::few_lines);
     if (!drawn) return drawn.error();
     // Freeman text holds steps: of the device's segments those that it draws.
     if (freeman && drawn->fidelity.kind == Fidelity::Kind::device) {

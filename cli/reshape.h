@@ -10,6 +10,7 @@
 #include "unstep/codec.h"
 #include "unstep/grid.h"
 #include "unstep/result.h"
+#include "unstep/reverse.h"
 
 /// Pages of one kind become pages of another.
 namespace unstep::cli {
@@ -25,8 +26,11 @@ Result<Drawing> chains_of(const Page& page);
 
 /// Ink or chains become lines by reverse interpolation, checked against the
 /// bound of the method before they are given back; `internal` if they break it.
-/// Pages of paths stay as they are and method none leaves all alone.
-Result<Page> to_lines(Page page, const LineOptions& options, Effort effort);
+/// Pages of paths stay as they are and method none leaves all alone. With the
+/// aim of few bytes a page whose lines would be no smaller in a .ustp file than
+/// what it is stays that, too.
+Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
+                      LineAim aim);
 
 /// Paths become chains on a grid of this width: 4-connected if all are filled
 /// outlines, else 8-connected. The resolution becomes that of the new grid.
