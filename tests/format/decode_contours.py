@@ -52,7 +52,7 @@ class Scan:
         self.coder = Interval(payload, trace)
         self.cracks = Cracks()
         size = width * rows
-        table = Table()
+        table = Table("small" if size < 2000000 else "large")
         if revision == 2:
             self.turns = FastTurnModel(self.cracks)
         else:
@@ -61,8 +61,7 @@ class Scan:
             table_bits = (small if size < 40000 else
                           middle if size < 2000000 else
                           large if size <= 24000000 else huge)
-            self.turns = TurnModel(self.cracks, table_bits, table,
-                                   (12, 16)[revision])
+            self.turns = TurnModel(self.cracks, table_bits, table)
         self.starts = StartModel(self.cracks, table)
         self.above = [0] * width
 
