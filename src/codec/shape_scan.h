@@ -6,56 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "codec/block_coder.h"
 #include "codec/context.h"
+#include "codec/placed_shape.h"
 #include "codec/shape_glyph.h"
 #include "codec/shape_library.h"
 #include "codec/shape_pixels.h"
 #include "codec/shape_sequence.h"
-#include "unstep/bitmap.h"
 
 namespace unstep::codec {
-
-/// One shape of coder 2 and how it is told from those before.
-struct PlacedShape {
-  std::int32_t x = 0;  ///< of the left column, in the band
-  std::int32_t y = 0;  ///< of the top row
-  bool new_line = false;
-  bool refers = false;
-  std::uint32_t reference = 0;  ///< an id of the library
-  std::int32_t dx = 0;  ///< pixel (i, j) lies over (i + dx, j + dy) of the
-  std::int32_t dy = 0;  ///< reference, both from the middle
-  Glyph glyph;
-};
-
-/// What all shapes of a band together may cost, so that a damaged payload
-/// cannot ask for the world: 16 each and the words of their rows.
-[[nodiscard]] constexpr std::uint64_t shape_room(std::int32_t width,
-                                                 std::int32_t height) {
-  const std::uint64_t words = (static_cast<std::uint64_t>(width) + 63) / 64;
-  return 8 * words * static_cast<std::uint64_t>(height) + 4096;
-}
-[[nodiscard]] inline std::uint64_t shape_cost(const Glyph& glyph) {
-  return 16 + static_cast<std::uint64_t>(glyph.stride()) *
-                  static_cast<std::uint64_t>(glyph.height);
-}
-
-/// Calls `apply(word, bits)` for the words of the band's bitmap that a shape
-/// lies on. REQUIRES: it lies within.
-template <class Apply>
-void merge_shape(Bitmap& ink, std::int32_t first_row, const PlacedShape& shape,
-                 Apply apply) {
-  const auto first = static_cast<std::size_t>(shape.x) / 64;
-  const auto shift = static_cast<unsigned>(shape.x) % 64;
-  for (std::int32_t y = 0; y < shape.glyph.height; ++y) {
-    const auto to = ink.row(first_row + shape.y + y);
-    for (std::size_t i = 0; i < shape.glyph.stride(); ++i) {
-      const std::uint64_t word = shape.glyph.row(y)[i];
-      apply(to[first + i], word >> shift);
-      const std::uint64_t next = shift == 0 ? 0 : word << (64 - shift);
-      if (next != 0) apply(to[first + i + 1], next);
-    }
-  }
-}
 
 /// Coder 2's first part, both sides: shapes one after another, each told by
 /// its place after the one before and, if it is like an earlier one, by what
@@ -68,11 +27,15 @@ void merge_shape(Bitmap& ink, std::int32_t first_row, const PlacedShape& shape,
 template <class Side>
 class ShapeScan {
  public:
-  ShapeScan(Side& side, std::int32_t width, std::int32_t height, int table_bits)
+  /// Models of 2^table_bits slots a context; `shape_memory` bytes may go to
+  /// what is remembered of shapes.
+  ShapeScan(Side& side, std::int32_t width, std::int32_t height, int table_bits,
+            std::uint64_t shape_memory)
       : side_(side),
         width_(width),
         height_(height),
         room_(shape_room(width, height)),
+        memory_(shape_memory),
         pixels_(table_bits),
         sequence_(kSequenceBits) {}
 
@@ -83,21 +46,37 @@ class ShapeScan {
            (1 << 20);
   }
 
-  /// False if the payload is damaged.
-  bool run() {
+  /// corrupt if the payload is damaged, limit_exceeded if the memory does not
+  /// suffice, cancelled. Shapes come from the top: `progress` hears their rows.
+  Status run(const BlockProgress& progress) {
     const PlacedShape none;
+    std::uint64_t quiet = 0;  // work since progress heard something
     for (;;) {
       const PlacedShape* next = side_.next();
       if (!sequence_.flag(side_.coder(), ShapeSequence::kMore, next != nullptr,
                           {0, 0, 0, 0, 0, 0})) {
-        return true;
+        return {};
       }
-      if (side_.damaged() || !one(next != nullptr ? *next : none)) return false;
+      if (memory_ < ShapeLibrary::kLargest) {
+        return Error{ErrorCode::limit_exceeded,
+                     "shapes need more than the memory limit"};
+      }
+      const std::uint64_t room = room_;
+      if (side_.damaged() || !one(next != nullptr ? *next : none)) {
+        return Error{ErrorCode::corrupt, "shape payload is damaged"};
+      }
+      quiet += room - room_;
+      if (quiet < kOften) continue;
+      quiet = 0;
+      if (progress && !progress(static_cast<std::uint64_t>(row_))) {
+        return Error{ErrorCode::cancelled, "cancelled"};
+      }
     }
   }
 
  private:
   static constexpr int kSequenceBits = 16;
+  static constexpr std::uint64_t kOften = 1 << 16;  ///< pixels: some ms
 
   /// What is remembered of a shape that was coded.
   struct Past {
@@ -148,9 +127,11 @@ class ShapeScan {
     } else {
       open(shape, truth);
     }
-    const std::uint64_t cost = shape_cost(shape.glyph);
+    const std::uint64_t cost =
+        shape_cost(shape.glyph.width, shape.glyph.height);
     if (cost > room_) return false;
     room_ -= cost;
+    if (!now.same) memory_ -= ShapeLibrary::memory(shape.glyph);
     if (!position(shape, truth, now, fresh)) return false;
     if (!now.same) draw(shape, truth);
     return remember(shape, now);
@@ -294,6 +275,7 @@ class ShapeScan {
     now.width = shape.glyph.width;
     now.height = shape.glyph.height;
     if (!side_.place(shape)) return false;
+    row_ = shape.y;
     const std::int32_t right = shape.x + shape.glyph.width;
     if (shape.new_line) line_x_ = shape.x;
     if (!now.refers) {
@@ -321,6 +303,7 @@ class ShapeScan {
   std::int32_t width_;
   std::int32_t height_;
   std::uint64_t room_;
+  std::uint64_t memory_;
   ShapePixels pixels_;
   ShapeSequence sequence_;
   ShapeLibrary library_;
@@ -333,6 +316,7 @@ class ShapeScan {
   std::int32_t line_x_ = 0;
   std::int32_t line_base_ = 0;
   unsigned in_line_ = 0;
+  std::int32_t row_ = 0;  ///< the top of the last shape
 };
 
 }  // namespace unstep::codec
