@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "codec/shape_finder.h"
+#include "codec/shape_library.h"
 
 namespace unstep::codec {
 namespace {
@@ -301,11 +302,11 @@ std::vector<PlacedShape> match(const Bitmap& ink, std::int32_t first_row,
   std::uint64_t room = shape_room(ink.width(), rows);
   for (const auto& [index, new_line] : reading_order(parts)) {
     const Component& part = parts[index];
-    PlacedShape shape;
-    shape.glyph = cut_out(ink, first_row, part);
-    const std::uint64_t cost = shape_cost(shape.glyph);
+    const std::uint64_t cost = shape_cost(part.width(), part.height());
     if (cost > room) break;
     room -= cost;
+    PlacedShape shape;
+    shape.glyph = cut_out(ink, first_row, part);
     shape.x = part.x;
     shape.y = part.y;
     shape.new_line = new_line;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""A second decoder of coder 1, written from docs/format.md alone.
+"""A second decoder of coders 1 and 2, written from docs/format.md alone.
 
-    decode_contours.py [--trace] IN.ustp OUT.pbm
+    decode_ink.py [--trace] IN.ustp OUT.pbm
 
 Reads short forms of one ink page. Plain and slow, for small drawings: it shows
 that the page is enough to write a decoder from. --trace prints every decision.
@@ -12,6 +12,7 @@ import sys
 import zlib
 
 from entropy import Damaged, Interval
+from shapes import Shapes
 from starts import StartModel
 from table import Table
 from turns import DX, DY, FastTurnModel, TurnModel
@@ -47,12 +48,11 @@ class Cracks:
 class Scan:
     """Scan and Walk."""
 
-    def __init__(self, payload, width, rows, revision, trace):
-        self.width, self.rows = width, rows
-        self.coder = Interval(payload, trace)
+    def __init__(self, coder, width, rows, revision):
+        self.width, self.rows, self.coder = width, rows, coder
         self.cracks = Cracks()
         size = width * rows
-        table = Table()
+        table = Table("small" if size < 2000000 else "large")
         if revision == 2:
             self.turns = FastTurnModel(self.cracks)
         else:
@@ -61,13 +61,11 @@ class Scan:
             table_bits = (small if size < 40000 else
                           middle if size < 2000000 else
                           large if size <= 24000000 else huge)
-            self.turns = TurnModel(self.cracks, table_bits, table,
-                                   (12, 16)[revision])
+            self.turns = TurnModel(self.cracks, table_bits, table)
         self.starts = StartModel(self.cracks, table)
         self.above = [0] * width
 
-    def run(self):
-        image = []
+    def run(self, image):
         for y in range(self.rows):
             self.starts.begin_row(y)
             for first in range(0, self.width, 64):
@@ -76,10 +74,8 @@ class Scan:
             for x in range(self.width):
                 ink ^= self.cracks.V(x, y)
                 row.append(ink)
-            image.append(row)
+            image[y] = [a | b for a, b in zip(image[y], row)]
             self.above = row
-        self.coder.check_end()
-        return image
 
     def candidates(self, y, points, excluded):
         """Near ones, likely ones, far ones on paper, far ones on ink."""
@@ -167,12 +163,18 @@ def decode(data, trace=False):
         at += 1
         for _ in range(2 if unit & 4 else 4):
             _, at = varint(data, at)
-    if data[at] not in (0x81, 0xA1, 0xC1):
-        raise Damaged("another coder than 1, revision 0 to 2, table 1")
-    revision = data[at] >> 5 & 3
+    name = data[at] & 31, data[at] >> 5 & 3
+    if data[at] < 128 or name not in ((1, 0), (1, 1), (1, 2), (2, 0), (2, 1)):
+        raise Damaged("another coder than 1 and 2")
     head, stored, payload = data[4:at + 1], data[at + 1:at + 5], data[at + 5:]
+    coder = Interval(payload, trace)
+    image = [[0] * width for _ in range(height)]
+    if name[0] == 2:
+        Shapes(coder, width, height).run(image)
+    Scan(coder, width, height, name[1]).run(image)
+    coder.check_end()
     pbm = b""
-    for row in Scan(payload, width, height, revision, trace).run():
+    for row in image:
         digits = "".join(map(str, row)) + "0" * (-width % 8)
         pbm += int(digits, 2).to_bytes(len(digits) // 8, "big")
     if zlib.crc32(head + pbm) != int.from_bytes(stored, "little"):
@@ -183,7 +185,7 @@ def decode(data, trace=False):
 def main():
     words = [a for a in sys.argv[1:] if a != "--trace"]
     if len(words) != 2:
-        sys.exit("usage: decode_contours.py [--trace] IN.ustp OUT.pbm")
+        sys.exit("usage: decode_ink.py [--trace] IN.ustp OUT.pbm")
     try:
         width, height, pbm = decode(pathlib.Path(words[0]).read_bytes(),
                                     "--trace" in sys.argv)
