@@ -17,6 +17,9 @@ using trace::Spot;
 /// How far drawn ink counts as there, in pixels.
 constexpr double kNear = 2.0;
 
+/// A dot is worth it for so many pixels of missing ink.
+constexpr std::uint64_t kLeastGain = 4;
+
 /// Pixels first..last of a word's row, as bits of word w.
 std::uint64_t run_mask(std::int64_t first, std::int64_t last, std::int64_t w) {
   const std::int64_t from = std::max<std::int64_t>(first - 64 * w, 0);
@@ -67,7 +70,7 @@ class Coverer {
     std::priority_queue<Candidate> queue;
     for (std::size_t i = 0; i < spots_.size(); ++i) {
       const std::uint64_t gain = count(spots_[i]);
-      if (gain > 0) queue.push({gain, i});
+      if (gain >= kLeastGain) queue.push({gain, i});
     }
     while (!queue.empty()) {
       Candidate best = queue.top();
@@ -77,7 +80,7 @@ class Coverer {
         strokes.push_back(dot(spots_[best.spot]));
         for_each_run(spots_[best.spot], kNear,
                      [](std::uint64_t& word, auto m) { word &= ~m; });
-      } else if (gain > 0) {
+      } else if (gain >= kLeastGain) {
         queue.push({gain, best.spot});
       }
     }

@@ -2,6 +2,8 @@
 #include <utility>
 
 #include "strokes/cover.h"
+#include "strokes/pen_set.h"
+#include "trace/edge_noise.h"
 #include "trace/skeleton_graph.h"
 #include "trace/skeleton_pruning.h"
 #include "trace/stroke_route.h"
@@ -22,8 +24,12 @@ std::vector<trace::Spot> all_spots(const trace::SkeletonGraph& graph) {
   return spots;
 }
 
-Result<std::vector<Stroke>> trace_all(const Bitmap& ink,
+Result<std::vector<Stroke>> trace_all(const Bitmap& scanned,
                                       const Progress& progress) {
+  Bitmap ink = scanned;
+  if (const Status smoothed = trace::smooth_edges(ink); !smoothed) {
+    return smoothed.error();
+  }
   // Thinning is the first half.
   const Progress first_half = [&](std::uint64_t done, std::uint64_t total) {
     return !progress || progress(done, 2 * total);
@@ -49,8 +55,10 @@ Result<std::vector<Stroke>> trace_all(const Bitmap& ink,
       return Error{ErrorCode::cancelled, "cancelled"};
     }
   }
+  strokes::share_pens(strokes);
   const Status covered = strokes::cover_missing(ink, std::move(spots), strokes);
   if (!covered) return covered.error();
+  strokes::sort_down(strokes);
   if (progress && !progress(1, 1)) {
     return Error{ErrorCode::cancelled, "cancelled"};
   }

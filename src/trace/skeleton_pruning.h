@@ -10,7 +10,7 @@ namespace unstep::trace {
 inline constexpr double kSpurReach = 1.54;
 
 /// ... and within this many pixels besides.
-inline constexpr double kSpurSlack = 1.0;
+inline constexpr double kSpurSlack = 2.0;
 
 /// Takes away branches that only lead from a junction to its ink's edge, the
 /// shortest for the width first; junctions that are left with two branches join

@@ -13,8 +13,14 @@ namespace {
 
 constexpr std::size_t kNone = Branch::kNone;
 
-/// Junctions closer than their half widths and this much are one.
-constexpr double kZoneSlack = 1.5;
+/// Junctions closer than their half widths and this much are one: where thin
+/// lines cross at a slant, pixels alone set them apart.
+constexpr double kZoneSlack = 3;
+
+/// Farther ones, up to this many half widths, are one if straight lines cross
+/// there: both ways on are as straight as this, of 3.
+constexpr double kSlantReach = 1.8;
+constexpr double kCrossing = 2.7;
 
 /// No stroke turns back at a junction: the cosine of the sharpest turn.
 constexpr double kSharpest = -0.2;
@@ -113,11 +119,12 @@ class Router {
       const Spot& a = graph_.junctions[branch.from].middle;
       const Spot& z = graph_.junctions[branch.to].middle;
       const double apart = length(to_vector(a.at) - to_vector(z.at));
-      const double reach = radius_of(a) + radius_of(z) + kZoneSlack;
-      if (apart <= reach &&
-          static_cast<double>(branch.spots.size()) <= 2 * reach) {
-        bridges.push_back({apart, b});
-      }
+      const double reach = radius_of(a) + radius_of(z);
+      const auto steps = static_cast<double>(branch.spots.size());
+      const bool near =
+          apart <= reach + kZoneSlack && steps <= 2 * (reach + kZoneSlack);
+      const bool slant = apart <= kSlantReach * reach + kZoneSlack;
+      if (near || (slant && is_crossing(b))) bridges.push_back({apart, b});
     }
     std::ranges::stable_sort(bridges, {}, &Bridge::length);
     Forest forest(graph_.junctions.size());
@@ -134,6 +141,25 @@ class Router {
       }
       zones_[number[root]].junctions.push_back(j);
     }
+  }
+
+  /// Whether two straight lines cross over a branch, on top of each other.
+  [[nodiscard]] bool is_crossing(std::size_t bridge) {
+    const Branch& branch = graph_.branches[bridge];
+    Zone zone;
+    zone.junctions = {branch.from, branch.to};
+    inner_[bridge] = true;
+    make_arms(zone);
+    inner_[bridge] = false;
+    const std::vector<Arm>& arms = zone.arms;
+    if (arms.size() != 4 || graph_.junctions[branch.from].branches.size() != 3)
+      return false;
+    // The first two are those of one junction.
+    const double same = std::min(straightness(arms[0], arms[2]),
+                                 straightness(arms[1], arms[3]));
+    const double other = std::min(straightness(arms[0], arms[3]),
+                                  straightness(arms[1], arms[2]));
+    return std::max(same, other) >= kCrossing;
   }
 
   void make_arms(Zone& zone) {

@@ -1,6 +1,7 @@
 #include "trace/stroke_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -17,7 +18,10 @@ constexpr double kWidthSlack = 2.0;
 
 /// A tip is taken back as far as a spot's ink reaches, by this share: 0.707
 /// for the corner of a square end, less because noise bends it.
-constexpr double kTipShare = 0.65;
+constexpr double kTipShare = 0.58;
+
+/// A stroke shorter than this share of its width is a dot.
+constexpr double kDotShare = 0.3;
 
 /// How far the ink goes from a place, at most `most`; nothing if farther.
 std::optional<double> way_out(const Bitmap& ink, Vector2 from, Vector2 along,
@@ -47,10 +51,17 @@ class Shaper {
  public:
   Shaper(const Bitmap& ink, const Route& route) : ink_(ink), route_(route) {}
 
+  /// From about a hundred places.
+  double usual_width() {
+    measure(1 + spots().size() / 100);
+    return typical_width();
+  }
+
   Stroke run() {
-    measure();
+    measure(1);
     Stroke stroke;
     stroke.chain = chain();
+    if (spots().size() == 1 && spots()[0].square > 0) return dotted(stroke);
     stroke.shift = shift();
     base_ = typical_width();
     if (widths_.empty()) {
@@ -102,13 +113,17 @@ class Shaper {
     const auto left = way_out(ink_, at, -1 * normal, 2 * radius + 2);
     if (!right || !left) return std::nullopt;
     // Beside a spur or a junction the way out is long on one side.
-    const double width = std::min(*left + *right, 2 * radius + 1.5);
+    double widest = 0;
+    for (std::size_t k = first; k < end; ++k) {
+      widest = std::max(widest, radius_of(spots()[k]));
+    }
+    const double width = std::min(*left + *right, 2 * widest + 1);
     return Girth{width, (*right - *left) / 2, normal};
   }
 
-  void measure() {
+  void measure(std::size_t every) {
     if (spots().size() < 2) return;
-    for (std::size_t i = 0; i < spots().size(); ++i) {
+    for (std::size_t i = 0; i < spots().size(); i += every) {
       const auto found = girth(i);
       if (!found) continue;
       girths_.push_back(*found);
@@ -125,6 +140,38 @@ class Shaper {
       if (spot.square > 0) radius = std::max(radius, radius_of(spot));
     }
     return 2 * radius;
+  }
+
+  /// A circle of about the same reach all around.
+  [[nodiscard]] Stroke dotted(Stroke stroke) const {
+    constexpr std::array<Vector2, 8> kAround{{{1, 0},
+                                              {0.6, 0.8},
+                                              {0, 1},
+                                              {-0.6, 0.8},
+                                              {-1, 0},
+                                              {-0.6, -0.8},
+                                              {0, -1},
+                                              {0.6, -0.8}}};
+    const Spot& spot = spots()[0];
+    const double most = radius_of(spot) + 2;
+    double sum = 0;
+    Vector2 lean;
+    for (const Vector2& way : kAround) {
+      const double far =
+          way_out(ink_, to_vector(spot.at), way, most).value_or(most);
+      sum += far;
+      lean = lean + far * way;
+    }
+    // A circle beside its centre by d reaches d cos farther: squares of the
+    // cosines add up to 3.44 along x, 4.56 along y.
+    stroke.shift = {half_pixels(lean.x / 3.44), half_pixels(lean.y / 4.56)};
+    stroke.pieces = {{0, pen(sum / kAround.size() * 2)}};
+    return stroke;
+  }
+
+  static std::int32_t half_pixels(double v) {
+    return std::clamp(static_cast<std::int32_t>(std::floor(2 * v + 0.5)), -1,
+                      1);
   }
 
   /// The shift (a, b) for which a normal_x + b normal_y is nearest to the
@@ -144,12 +191,8 @@ class Shaper {
       yo += g.normal.y * offset;
     }
     const double area = xx * yy - xy * xy;
-    const auto halves = [](double v) {
-      return std::clamp(static_cast<std::int32_t>(std::floor(2 * v + 0.5)), -1,
-                        1);
-    };
-    return {halves((xo * yy - yo * xy) / area),
-            halves((yo * xx - xo * xy) / area)};
+    return {half_pixels((xo * yy - yo * xy) / area),
+            half_pixels((yo * xx - xo * xy) / area)};
   }
 
   /// The widths without what is shorter than half of them.
@@ -232,31 +275,57 @@ class Tip {
   Tip(const Bitmap& ink, std::vector<Spot>& spots, double width)
       : ink_(ink), spots_(spots), width_(width) {}
 
-  /// Works on the last spots.
+  /// Works on the last spots: drops what is bent and goes on as the line did,
+  /// on a circle if it was on one, until the pen's tip is at the ink's end.
   void fit() {
     const std::size_t n = spots_.size();
     const std::size_t kept = n - bent();
-    const auto reach = static_cast<std::size_t>(std::max(6.0, 2 * width_));
+    const auto reach = static_cast<std::size_t>(std::max(12.0, 3 * width_));
     const std::size_t first = kept > reach ? kept - reach : 0;
-    const Vector2 along =
-        direction_of(std::span(spots_).subspan(first, kept - first));
-    if (dot(along, along) == 0) return;
-    const Point from = spots_[kept - 1].at;
-    const auto far = reach_of(to_vector(from), along);
-    if (!far) return;
-    std::vector<Spot> tail;
-    if (*far > width_ / 2) {
-      append_line(tail, from,
-                  nearest(to_vector(from) + (*far - width_ / 2) * along));
-    }
-    for (const Spot& spot : tail) {
-      if (!pixel_at(ink_, spot.at)) return;
-    }
-    spots_.resize(kept);
-    spots_.insert(spots_.end(), tail.begin(), tail.end());
+    const std::span<const Spot> behind =
+        std::span(spots_).subspan(first, kept - first);
+    Heading heading = heading_of(behind);
+    if (dot(heading.along, heading.along) == 0) return;
+    const Vector2 at = centred(to_vector(spots_[kept - 1].at), heading.along);
+    go_on(heading, at, kept);
   }
 
  private:
+  /// Where a line goes at its end and how it turns in each step.
+  struct Heading {
+    Vector2 along;
+    double bend = 0;
+  };
+
+  /// Lays the end anew, after the spots that are kept.
+  void go_on(Heading heading, Vector2 at, std::size_t kept) {
+    append_line(tail_, spots_[kept - 1].at, nearest(at));
+    for (int i = 0; i < static_cast<int>(3 * width_) + 4; ++i) {
+      const double far = reach_of(at, heading.along) - width_ / 2;
+      if (far <= 0) break;
+      at = at + std::min(far, 1.0) * heading.along;
+      append_line(tail_, tail_.empty() ? spots_[kept - 1].at : tail_.back().at,
+                  nearest(at));
+      heading.along =
+          unit(heading.along +
+               heading.bend * Vector2{-heading.along.y, heading.along.x});
+    }
+    for (const Spot& spot : tail_) {
+      if (!pixel_at(ink_, spot.at)) return;
+    }
+    spots_.resize(kept);
+    spots_.insert(spots_.end(), tail_.begin(), tail_.end());
+  }
+
+  /// Halfway between the edges on both sides, where these are near.
+  [[nodiscard]] Vector2 centred(Vector2 at, Vector2 along) const {
+    const Vector2 side{-along.y, along.x};
+    const auto right = way_out(ink_, at, side, width_ + 1);
+    const auto left = way_out(ink_, at, -1 * side, width_ + 1);
+    if (!right || !left || *right + *left > width_ + 3) return at;
+    return at + ((*right - *left) / 2) * side;
+  }
+
   [[nodiscard]] const Spot& back(std::size_t i) const {
     return spots_[spots_.size() - 1 - i];
   }
@@ -274,40 +343,52 @@ class Tip {
     return count;
   }
 
+  [[nodiscard]] Heading heading_of(std::span<const Spot> behind) const {
+    const std::size_t half = behind.size() / 2;
+    if (half < 6) return {direction_of(behind), 0};
+    const Vector2 early = direction_of(behind.first(half));
+    const Vector2 late = direction_of(behind.last(half));
+    const double apart =
+        length(to_vector(behind.back().at) - to_vector(behind.front().at)) / 2;
+    if (apart < 2) return {late, 0};
+    // No tighter than the width allows; less than a pixel's doubt is straight.
+    double bend = cross(early, late) / apart;
+    if (std::abs(bend) > 0.6 / width_ || std::abs(bend) * apart * apart < 2.5) {
+      return {direction_of(behind), 0};
+    }
+    return {unit(late + (bend * apart / 2) * Vector2{-late.y, late.x}), bend};
+  }
+
   /// How far the ink goes ahead: the middle of three ways side by side.
-  [[nodiscard]] std::optional<double> reach_of(Vector2 from,
-                                               Vector2 along) const {
+  [[nodiscard]] double reach_of(Vector2 from, Vector2 along) const {
     const Vector2 side{-along.y, along.x};
+    const double most = 3 * width_ + 4;
     std::vector<double> ways;
     for (const double part : {-0.25, 0.0, 0.25}) {
-      const auto way =
-          way_out(ink_, from + (part * width_) * side, along, 3 * width_ + 4);
-      if (!way) return std::nullopt;
-      ways.push_back(*way);
+      ways.push_back(way_out(ink_, from + (part * width_) * side, along, most)
+                         .value_or(most));
     }
     return median(ways);
   }
 
   const Bitmap& ink_;
   std::vector<Spot>& spots_;
+  std::vector<Spot> tail_;
   double width_;
 };
-
-double usual_width(const Route& route) {
-  std::vector<double> widths;
-  for (const Spot& spot : route.spots) {
-    if (spot.square > 0) widths.push_back(2 * radius_of(spot) + 0.25);
-  }
-  return widths.empty() ? 1 : median(widths);
-}
 
 }  // namespace
 
 void fit_ends(const Bitmap& ink, Route& route) {
   if (route.closed || route.spots.size() < 2) return;
-  const double width = usual_width(route);
+  const double width = Shaper(ink, route).usual_width();
   if (route.free_to) Tip(ink, route.spots, width).fit();
   if (!route.free_from) return;
+  if (route.free_to &&
+      static_cast<double>(route.spots.size()) <= kDotShare * width) {
+    route.spots = {route.spots[route.spots.size() / 2]};
+    return;
+  }
   std::ranges::reverse(route.spots);
   Tip(ink, route.spots, width).fit();
   std::ranges::reverse(route.spots);
