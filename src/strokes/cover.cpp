@@ -1,6 +1,7 @@
 #include "strokes/cover.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <queue>
@@ -14,11 +15,16 @@ namespace {
 
 using trace::Spot;
 
-/// How far drawn ink counts as there, in pixels.
-constexpr double kNear = 2.0;
+/// What counts as missing: ink farther than this from what is drawn, in
+/// squared pixels, and so many pixels of it for a dot.
+struct Pass {
+  std::int64_t near;
+  std::uint64_t least_gain;
+};
 
-/// A dot is worth it for so many pixels of missing ink.
-constexpr std::uint64_t kLeastGain = 4;
+/// Nothing is left farther than 2.3 pixels away, and of what is farther than 2
+/// only what is too small to see.
+constexpr std::array<Pass, 2> kPasses{{{5, 1}, {4, 4}}};
 
 /// Pixels first..last of a word's row, as bits of word w.
 std::uint64_t run_mask(std::int64_t first, std::int64_t last, std::int64_t w) {
@@ -28,12 +34,12 @@ std::uint64_t run_mask(std::int64_t first, std::int64_t last, std::int64_t w) {
   return (~std::uint64_t{0} >> from) & (~std::uint64_t{0} << (63 - to));
 }
 
-/// Ink that is farther than kNear from what is drawn.
-Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn) {
+/// Ink whose squared distance from what is drawn is above `near`.
+Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn,
+                           std::int64_t near) {
   Result<Bitmap> missing = Bitmap::create(ink.width(), ink.height());
   if (!missing) return missing;
   RowDistances distances(drawn, RowDistances::To::ink);
-  const auto near = static_cast<std::int64_t>(kNear * kNear);
   for (std::int32_t y = 0; y < ink.height(); ++y) {
     const auto inked = ink.row(y);
     const auto covered = drawn.row(y);
@@ -56,10 +62,11 @@ Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn) {
 
 class Coverer {
  public:
-  Coverer(Bitmap& missing, std::vector<Spot> spots)
+  Coverer(Bitmap& missing, const std::vector<Spot>& spots, const Pass& pass)
       : missing_(missing),
+        pass_(pass),
         rows_(static_cast<std::size_t>(missing.height())),
-        spots_(std::move(spots)) {
+        spots_(spots) {
     for (std::int32_t y = 0; y < missing.height(); ++y) {
       rows_[static_cast<std::size_t>(y)] =
           std::ranges::any_of(missing.row(y), [](auto w) { return w != 0; });
@@ -70,7 +77,7 @@ class Coverer {
     std::priority_queue<Candidate> queue;
     for (std::size_t i = 0; i < spots_.size(); ++i) {
       const std::uint64_t gain = count(spots_[i]);
-      if (gain >= kLeastGain) queue.push({gain, i});
+      if (gain >= pass_.least_gain) queue.push({gain, i});
     }
     while (!queue.empty()) {
       Candidate best = queue.top();
@@ -78,9 +85,10 @@ class Coverer {
       const std::uint64_t gain = count(spots_[best.spot]);
       if (gain == best.gain) {
         strokes.push_back(dot(spots_[best.spot]));
-        for_each_run(spots_[best.spot], kNear,
+        for_each_run(spots_[best.spot],
+                     std::sqrt(static_cast<double>(pass_.near)),
                      [](std::uint64_t& word, auto m) { word &= ~m; });
-      } else if (gain >= kLeastGain) {
+      } else if (gain >= pass_.least_gain) {
         queue.push({gain, best.spot});
       }
     }
@@ -135,8 +143,9 @@ class Coverer {
   }
 
   Bitmap& missing_;
+  Pass pass_;
   std::vector<bool> rows_;  ///< rows with missing ink
-  std::vector<Spot> spots_;
+  const std::vector<Spot>& spots_;
 };
 
 /// The missing pixels as places for dots.
@@ -164,15 +173,19 @@ void add_missing(const Bitmap& ink, const Bitmap& missing,
 Status cover_missing(const Bitmap& ink, std::vector<Spot> spots,
                      std::vector<Stroke>& strokes) {
   const Canvas canvas{ink.width(), ink.height(), YAxis::down};
-  const Result<Drawing> drawing = stroke_paths(strokes, canvas, {{0, 1}});
-  if (!drawing) return drawing.error();
-  const Result<Bitmap> drawn = render_paths(*drawing);
-  if (!drawn) return drawn.error();
-  Result<Bitmap> missing = missing_ink(ink, *drawn);
-  if (!missing) return missing.error();
-  if (missing->ink() == 0) return {};
-  add_missing(ink, *missing, spots);
-  Coverer(*missing, std::move(spots)).run(strokes);
+  const std::size_t traced = spots.size();
+  for (const Pass& pass : kPasses) {
+    const Result<Drawing> drawing = stroke_paths(strokes, canvas, {{0, 1}});
+    if (!drawing) return drawing.error();
+    const Result<Bitmap> drawn = render_paths(*drawing);
+    if (!drawn) return drawn.error();
+    Result<Bitmap> missing = missing_ink(ink, *drawn, pass.near);
+    if (!missing) return missing.error();
+    if (missing->ink() == 0) continue;
+    spots.resize(traced);
+    add_missing(ink, *missing, spots);
+    Coverer(*missing, spots, pass).run(strokes);
+  }
   return {};
 }
 

@@ -125,8 +125,9 @@ class Pruner {
   /// Above 1 it is no spur.
   [[nodiscard]] double share(const Line& line) const {
     const Spot& middle = graph_.junctions[base(line).junction].middle;
+    const double radius = radius_of(middle);
     return distance(free_end(line).tip.at, middle.at) /
-           (kSpurReach * radius_of(middle) + kSpurSlack);
+           (kSpurReach * radius + std::min(kSpurSlack, radius + 0.5));
   }
 
   [[nodiscard]] bool is_spur(const Line& line) const {

@@ -9,7 +9,7 @@ namespace unstep::trace {
 /// 1.42 away from the middle.
 inline constexpr double kSpurReach = 1.54;
 
-/// ... and within this many pixels besides.
+/// ... and within this many pixels besides, fewer on lines below 3 pixels.
 inline constexpr double kSpurSlack = 2.0;
 
 /// Takes away branches that only lead from a junction to its ink's edge, the

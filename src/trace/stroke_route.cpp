@@ -13,13 +13,14 @@ namespace {
 
 constexpr std::size_t kNone = Branch::kNone;
 
-/// Junctions closer than their half widths and this much are one: where thin
-/// lines cross at a slant, pixels alone set them apart.
-constexpr double kZoneSlack = 3;
+/// Junctions closer than their half widths and this much are one.
+constexpr double kZoneSlack = 1;
 
-/// Farther ones, up to this many half widths, are one if straight lines cross
-/// there: both ways on are as straight as this, of 3.
+/// Farther ones, up to this many half widths and pixels (which alone set thin
+/// lines apart that cross at a slant), are one if straight lines cross there:
+/// both ways on are as straight as this, of 3.
 constexpr double kSlantReach = 1.8;
+constexpr double kSlantSlack = 5;
 constexpr double kCrossing = 2.7;
 
 /// No stroke turns back at a junction: the cosine of the sharpest turn.
@@ -123,7 +124,7 @@ class Router {
       const auto steps = static_cast<double>(branch.spots.size());
       const bool near =
           apart <= reach + kZoneSlack && steps <= 2 * (reach + kZoneSlack);
-      const bool slant = apart <= kSlantReach * reach + kZoneSlack;
+      const bool slant = apart <= kSlantReach * reach + kSlantSlack;
       if (near || (slant && is_crossing(b))) bridges.push_back({apart, b});
     }
     std::ranges::stable_sort(bridges, {}, &Bridge::length);
