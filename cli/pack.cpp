@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "cli/centreline.h"
 #include "cli/message.h"
 #include "cli/reshape.h"
 
@@ -27,6 +28,7 @@ void count_drawing(const Page& page, Packed& packed) {
   if (page.kind != PageKind::paths) return;
   count_lines(page.drawing, packed);
   packed.fidelity = page.fidelity;
+  packed.strokes = is_strokes(page);
 }
 
 /// Of a page as it was read.
@@ -59,14 +61,16 @@ std::string on_page(std::size_t index, std::size_t count,
   return place + std::string(message);
 }
 
-std::string describe_bound(const Fidelity& fidelity) {
+std::string describe_bound(const Fidelity& fidelity, bool strokes) {
   if (fidelity.kind == Fidelity::Kind::device) {
     return " within 1 px on each axis";
   }
   if (fidelity.kind == Fidelity::Kind::exact) return "";
-  return fmt::format(" within {:.6g} px",
+  if (strokes && fidelity.tolerance.numerator == 0) return " on centrelines";
+  return fmt::format(" within {:.6g} px{}",
                      static_cast<double>(fidelity.tolerance.numerator) /
-                         fidelity.tolerance.denominator);
+                         fidelity.tolerance.denominator,
+                     strokes ? " of centrelines" : "");
 }
 
 Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
@@ -136,7 +140,9 @@ std::string describe(const Packed& packed, bool verified) {
                         counted(packed.lines, "line"));
     if (packed.arcs > 0) text += ", " + counted(packed.arcs, "arc");
   }
-  if (packed.fidelity) text += describe_bound(*packed.fidelity);
+  if (packed.fidelity) {
+    text += describe_bound(*packed.fidelity, packed.strokes);
+  }
   text += ", " + counted(packed.bytes.size(), "byte");
   if (packed.packed_bytes > 0) {
     text += fmt::format(", {} of {} packed",

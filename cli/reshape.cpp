@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cli/centreline.h"
 #include "unstep/deviation.h"
 #include "unstep/interpolate.h"
 #include "unstep/reverse.h"
@@ -278,6 +279,10 @@ Result<Drawing> chains_of(const Page& page) {
 }
 
 Result<Page> to_lines(Page page, const LineOptions& options, Effort effort) {
+  if (page.kind == PageKind::ink &&
+      options.trace != LineOptions::Trace::contour) {
+    return to_strokes(std::move(page), options, effort);
+  }
   if (page.kind == PageKind::paths ||
       options.method == LineOptions::Method::none) {
     return page;

@@ -25,7 +25,9 @@ Result<Drawing> chains_of(const Page& page);
 
 /// Ink or chains become lines by reverse interpolation, checked against the
 /// bound of the method before they are given back; `internal` if they break it.
-/// Pages of paths stay as they are and method none leaves all alone.
+/// Ink becomes strokes if the options ask for centrelines (centreline.h).
+/// Pages of paths stay as they are; method none leaves chains alone, and ink
+/// whose contours are asked for.
 Result<Page> to_lines(Page page, const LineOptions& options, Effort effort);
 
 /// Paths become chains on a grid of this width: 4-connected if all are filled
