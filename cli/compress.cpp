@@ -37,6 +37,9 @@ constexpr const char* kExamples =
     "  unstep compress plan.png --tolerance 1  lines and arcs, never more "
     "than\n"
     "                                          1 pixel off\n"
+    "  unstep compress plan.png --trace centerline --tolerance 1\n"
+    "                                          strokes with the width of the "
+    "pen\n"
     "  unstep compress part.svg                vertices as they are\n"
     "  unstep compress part.svg --grid 0.1mm   as unit steps of 0.1 mm\n"
     "  pdftoppm -mono a.pdf | unstep compress - -o a.ustp\n";

@@ -25,6 +25,7 @@ Content count_paths(const Page& page, const DecodeLimits& limits) {
   bool counted = true;
   for (const Path& path : page.drawing.paths) {
     ++content.paths;
+    if (page.drawing.paint == Paint::stroke) ++content.pens[path.width];
     for (const Path::Element& element : path.elements) {
       ++(element.kind == Path::Kind::arc ? content.arcs : content.lines);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ struct Content {
   std::uint64_t lines = 0;
   std::uint64_t arcs = 0;
   std::uint64_t steps = 0;  ///< of chains, or that lines and arcs draw
+  /// Strokes: how many paths a pen of each width draws, path units.
+  std::map<std::int32_t, std::uint64_t> pens;
 
   Content& operator+=(const Content& more);
 };

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -122,6 +123,28 @@ std::string describe_canvas(const PageEntry& page) {
   return text;
 }
 
+/// The most used first, eight at most.
+void print_pens(const PageEntry& page, const Content& content) {
+  if (content.pens.empty()) return;
+  std::vector<std::pair<std::uint64_t, std::int32_t>> pens;
+  for (const auto& [width, paths] : content.pens) {
+    pens.push_back({paths, width});
+  }
+  std::ranges::stable_sort(pens, std::ranges::greater{},
+                           [](const auto& pen) { return pen.first; });
+  std::string text;
+  const std::size_t shown = std::min<std::size_t>(pens.size(), 8);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const double width = static_cast<double>(pens[i].second) / page.scale;
+    text += fmt::format("{}{:.4g} px ({})", i == 0 ? "" : ", ", width,
+                        counted(pens[i].first, "path"));
+  }
+  if (shown < pens.size()) {
+    text += fmt::format(", {} more", pens.size() - shown);
+  }
+  fmt::print("    pens: {}\n", text);
+}
+
 void print_page(const PageEntry& page, const Content& content,
                 std::size_t number) {
   fmt::print("  page {}: {}\n", number, describe_canvas(page));
@@ -131,6 +154,7 @@ void print_page(const PageEntry& page, const Content& content,
   print_metadata(page.info.metadata, "    metadata: ");
   if (page.kind == PageKind::paths) {
     fmt::print("    lines: {}\n", describe_lines(content));
+    print_pens(page, content);
   }
   fmt::print("    checksum: {:08x}\n", page.checksum);
   for (std::size_t i = 0; i < page.blocks.size(); ++i) {

@@ -58,6 +58,16 @@ Json to_json(const PageEntry::Block& block, PageKind kind) {
   return json;
 }
 
+/// Width in grid units and number of paths, the thinnest first.
+Json pens_of(const PageEntry& page, const Content& held) {
+  Json pens = Json::array();
+  for (const auto& [width, paths] : held.pens) {
+    pens.push_back(
+        {{"width", static_cast<double>(width) / page.scale}, {"paths", paths}});
+  }
+  return pens;
+}
+
 Json to_json(const PageEntry& page, const Content& held) {
   Json blocks = Json::array();
   for (const PageEntry::Block& block : page.blocks) {
@@ -80,6 +90,7 @@ Json to_json(const PageEntry& page, const Content& held) {
           {"lines", held.lines},
           {"arcs", held.arcs},
           {"steps", held.steps},
+          {"pens", pens_of(page, held)},
           {"checksum", fmt::format("{:08x}", page.checksum)},
           {"blocks", std::move(blocks)}};
 }

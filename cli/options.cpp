@@ -171,6 +171,29 @@ void add_pair(Metadata& metadata, const std::string& text) {
   metadata.emplace_back(std::move(key), text.substr(equals + 1));
 }
 
+void add_trace(CLI::App& verb, LineOptions& options) {
+  verb.add_option_function<std::string>(
+          "--trace",
+          [&options](const std::string& text) {
+            if (text == "contour") {
+              options.trace = LineOptions::Trace::contour;
+            } else if (text == "centerline" || text == "centreline") {
+              options.trace = LineOptions::Trace::centreline;
+            } else if (text == "auto") {
+              options.trace = LineOptions::Trace::automatic;
+            } else {
+              throw CLI::ValidationError(
+                  "--trace", fmt::format("'{}' is not contour, centerline or "
+                                         "auto",
+                                         text));
+            }
+          },
+          "What lines follow. contour: the edges of the ink; centerline: its "
+          "middle, drawn by pens (lossy even without --tolerance); auto: "
+          "centerline where pens draw the ink well [contour]")
+      ->type_name("WHAT");
+}
+
 }  // namespace
 
 void add_quiet(CLI::App& verb, bool& quiet) {
@@ -286,6 +309,7 @@ void add_lines(CLI::App& verb, LineOptions& options) {
           "within 1 unit per axis [exact]")
       ->type_name("METHOD")
       ->excludes(tolerance);
+  add_trace(verb, options);
   verb.add_flag(
           "--no-arcs", [&options](std::int64_t) { options.arcs = false; },
           "With --tolerance: lines only")

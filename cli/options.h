@@ -34,7 +34,14 @@ struct LineOptions {
     tolerance,  ///< lines and arcs within `tolerance`
     device      ///< the segments of SU 1089551
   };
+  /// What of ink becomes lines.
+  enum class Trace : std::uint8_t {
+    contour,     ///< its edges
+    centreline,  ///< strokes along its middle
+    automatic    ///< strokes where they draw the ink, else its edges
+  };
   Method method = Method::none;
+  Trace trace = Trace::contour;
   Quantity tolerance;
   bool arcs = true;
 };
@@ -72,7 +79,7 @@ void add_threshold(CLI::App& verb, Threshold& threshold);
 /// --no-verify, --bands, --meta, --effort and those of add_lines.
 void add_pack(CLI::App& verb, PackOptions& options);
 
-/// --tolerance, --reverse and --no-arcs.
+/// --tolerance, --reverse, --no-arcs and --trace.
 void add_lines(CLI::App& verb, LineOptions& options);
 
 /// --effort.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/centreline.h"
 #include "cli/message.h"
 #include "cli/program.h"
 #include "cli/reshape.h"
@@ -29,6 +30,7 @@ void count_drawing(const Page& page, Packed& packed) {
   if (page.kind != PageKind::paths) return;
   count_lines(page.drawing, packed);
   packed.fidelity = page.fidelity;
+  packed.strokes = is_strokes(page);
 }
 
 /// Of a page as it was read.
@@ -114,15 +116,17 @@ std::string on_page(std::size_t index, std::size_t count,
   return place + std::string(message);
 }
 
-std::string describe_bound(const Fidelity& fidelity, std::string_view unit) {
+std::string describe_bound(const Fidelity& fidelity, std::string_view unit,
+                           bool strokes) {
   if (fidelity.kind == Fidelity::Kind::device) {
     return " within 1 px on each axis";
   }
   if (fidelity.kind == Fidelity::Kind::exact) return "";
-  return fmt::format(" within {:.6g} {}",
+  if (strokes && fidelity.tolerance.numerator == 0) return " on centrelines";
+  return fmt::format(" within {:.6g} {}{}",
                      static_cast<double>(fidelity.tolerance.numerator) /
                          fidelity.tolerance.denominator,
-                     unit);
+                     unit, strokes ? " of centrelines" : "");
 }
 
 Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
@@ -200,7 +204,8 @@ std::string describe(const Packed& packed, bool verified) {
   }
   if (packed.fidelity) {
     text += describe_bound(*packed.fidelity,
-                           packed.program_lines > 0 ? "mm" : "px");
+                           packed.program_lines > 0 ? "mm" : "px",
+                           packed.strokes);
   }
   text += ", " + counted(packed.bytes.size(), "byte");
   if (packed.packed_bytes > 0) {

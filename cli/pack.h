@@ -28,6 +28,7 @@ struct Packed {
   std::uint64_t program_lines = 0;   ///< of programs
   std::uint64_t program_bytes = 0;   ///< as they were read
   std::optional<Fidelity> fidelity;  ///< of the last page of paths
+  bool strokes = false;              ///< which is strokes that stand for ink
   std::int32_t width = 0;            ///< of the last page
   std::int32_t height = 0;
   bool lossless = true;
@@ -46,9 +47,11 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
 /// "1 page, 1728 x 2376 px, 12,345 bytes, 2.4 % of 513,216 packed, verified".
 [[nodiscard]] std::string describe(const Packed& packed, bool verified);
 
-/// " within 1 px", " within 1 px on each axis"; nothing for what is exact.
+/// " within 1 px", " within 1 px on each axis", " within 1 px of centrelines";
+/// nothing for what is exact.
 [[nodiscard]] std::string describe_bound(const Fidelity& fidelity,
-                                         std::string_view unit = "px");
+                                         std::string_view unit = "px",
+                                         bool strokes = false);
 
 /// Adds "page 2: " to a message about one of several pages, unless it is there.
 [[nodiscard]] std::string on_page(std::size_t index, std::size_t count,

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "cli/centreline.h"
 #include "unstep/codec.h"
 #include "unstep/deviation.h"
 #include "unstep/interpolate.h"
@@ -344,6 +345,10 @@ Result<Drawing> chains_of(const Page& page) {
 
 Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
                       LineAim aim) {
+  if (page.kind == PageKind::ink &&
+      options.trace != LineOptions::Trace::contour) {
+    return to_strokes(std::move(page), options, effort);
+  }
   if (page.kind == PageKind::paths ||
       options.method == LineOptions::Method::none) {
     return page;

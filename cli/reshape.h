@@ -26,9 +26,10 @@ Result<Drawing> chains_of(const Page& page);
 
 /// Ink or chains become lines by reverse interpolation, checked against the
 /// bound of the method before they are given back; `internal` if they break it.
-/// Pages of paths stay as they are and method none leaves all alone. With the
-/// aim of few bytes a page whose lines would be no smaller in a .ustp file than
-/// what it is stays that, too.
+/// Ink becomes strokes if the options ask for centrelines (centreline.h).
+/// Pages of paths stay as they are; method none leaves chains alone, and ink
+/// whose contours are asked for. With the aim of few bytes a page whose lines
+/// would be no smaller in a .ustp file than what it is stays that, too.
 Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
                       LineAim aim);
 

@@ -7,13 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "cli/centreline.h"
 #include "cli/compare.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/pack.h"
 #include "cli/progress.h"
+#include "cli/reshape.h"
 #include "cli/source.h"
+#include "cli/unpack.h"
 #include "cli/verbs.h"
 #include "unstep/unstep.h"
 
@@ -24,6 +27,8 @@ struct VerifyOptions {
   std::vector<std::string> inputs;
   InputOptions read;
   bool compare = false;
+  std::string overlay;
+  bool force = false;
   bool quiet = false;
 };
 
@@ -33,6 +38,7 @@ constexpr const char* kExamples =
     "                                          damaged one\n"
     "  unstep verify page.tif page.ustp        is it the same drawing?\n"
     "  unstep verify plan.png plan.ustp        how far are its lines off?\n"
+    "  unstep verify scan.png strokes.ustp --overlay off.svg\n"
     "  unstep verify --compare old.ustp new.ustp\n";
 
 void say(const VerifyOptions& options, const std::string& line) {
@@ -76,6 +82,38 @@ std::optional<Page> read_page(Source& source, std::size_t index,
   return std::nullopt;
 }
 
+/// How far what strokes draw is from the ink that they stand for.
+Result<std::string> ink_distance(const VerifyOptions& options,
+                                 const Bitmap& ink, const Page& strokes) {
+  std::vector<std::string> notes;
+  const Result<Bitmap> drawn = to_ink(strokes, options.read.limits, notes);
+  if (!drawn) return drawn.error();
+  const Result<InkDistance> found = measure_ink(ink, *drawn);
+  if (!found) return found.error();
+  return describe_ink_distance(*found);
+}
+
+/// NAME.svg, or NAME-0001.svg and so on if there are several pages.
+Status write_overlay(const VerifyOptions& options, const Page& a, const Page& b,
+                     std::size_t index, std::size_t count) {
+  std::vector<std::string> notes;
+  const Result<Bitmap> first = to_ink(a, options.read.limits, notes);
+  if (!first) return first.error();
+  const Result<Bitmap> second = to_ink(b, options.read.limits, notes);
+  if (!second) return second.error();
+  if (first->width() != second->width() ||
+      first->height() != second->height()) {
+    return Error{ErrorCode::invalid_argument,
+                 "pages of different size cannot be laid over each other"};
+  }
+  const std::string svg = overlay_svg(*first, *second);
+  const std::string path =
+      count == 1 ? options.overlay : numbered(options.overlay, index + 1);
+  return write_file(
+      path, {reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()},
+      options.force);
+}
+
 /// Two drawings: is the second what the first is?
 ExitCode compare(const VerifyOptions& options) {
   const std::string name_a = input_name(options.inputs[0]);
@@ -95,12 +133,27 @@ ExitCode compare(const VerifyOptions& options) {
   }
   const std::size_t count = a->page_count();
   std::vector<std::string> deviations;
+  bool strokes = false;
   for (std::size_t i = 0; i < count; ++i) {
     ExitCode code = ExitCode::ok;
     const std::optional<Page> page_a = read_page(*a, i, name_a, code);
     if (!page_a) return code;
     const std::optional<Page> page_b = read_page(*b, i, name_b, code);
     if (!page_b) return code;
+    if (!options.overlay.empty()) {
+      const Status drawn = write_overlay(options, *page_a, *page_b, i, count);
+      if (!drawn) {
+        return report_error(options.overlay, drawn.error());
+      }
+    }
+    if (page_a->kind == PageKind::ink && is_strokes(*page_b)) {
+      const Result<std::string> found =
+          ink_distance(options, page_a->ink, *page_b);
+      if (!found) return report_error(name_b, found.error());
+      deviations.push_back(on_page(i, count, *found));
+      strokes = true;
+      continue;
+    }
     if (stands_for(*page_a, *page_b)) {
       const Result<Deviation> found = page_deviation(*page_a, *page_b);
       if (!found) return report_error(name_b, found.error());
@@ -121,10 +174,11 @@ ExitCode compare(const VerifyOptions& options) {
   for (const std::string& deviation : deviations) {
     say(options, fmt::format("{}: {}", name_b, deviation));
   }
-  say(options,
-      fmt::format("{} and {} are {}: {}", name_a, name_b,
-                  deviations.empty() ? "the same" : "the same within the bound",
-                  counted(count, "page")));
+  say(options, fmt::format("{} and {} are {}: {}", name_a, name_b,
+                           deviations.empty() ? "the same"
+                           : strokes          ? "comparable"
+                                              : "the same within the bound",
+                           counted(count, "page")));
   return ExitCode::ok;
 }
 
@@ -165,7 +219,7 @@ ExitCode test_file(const VerifyOptions& options, const std::string& path) {
 
 /// Two inputs of which the first is not a .ustp file by its name or content.
 Result<bool> asks_to_compare(const VerifyOptions& options) {
-  if (options.compare) return true;
+  if (options.compare || !options.overlay.empty()) return true;
   if (options.inputs.size() != 2) return false;
   if (has_suffix(options.inputs[0], ".ustp")) return false;
   if (options.inputs[0] == "-") return true;
@@ -180,6 +234,9 @@ Result<bool> asks_to_compare(const VerifyOptions& options) {
 ExitCode verify(const VerifyOptions& options) {
   if (options.compare && options.inputs.size() != 2) {
     return report_usage("verify", "--compare takes two drawings");
+  }
+  if (!options.overlay.empty() && options.inputs.size() != 2) {
+    return report_usage("verify", "--overlay takes two drawings");
   }
   const Interruptible interruptible;
   const Result<bool> two = asks_to_compare(options);
@@ -206,6 +263,11 @@ void add_verify(CLI::App& app, Context& context) {
              "the .ustp file to compare it with");
   verb->add_flag("--compare", options->compare,
                  "Compare two files even if both are .ustp");
+  verb->add_option("--overlay", options->overlay,
+                   "Write an SVG picture of both: ink of both grey, of the "
+                   "first alone red, of the second alone blue")
+      ->type_name("OUT.svg");
+  add_force(*verb, options->force);
   add_input_kind(*verb, options->read);
   add_jobs(*verb, options->read.jobs);
   add_limits(*verb, options->read.limits);

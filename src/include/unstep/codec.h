@@ -24,11 +24,6 @@
 ///     Result<Page> page = reader->read_page(0);
 namespace unstep {
 
-/// Called now and then during long calls with work done and total (same,
-/// unspecified unit). Return false to cancel: the call returns `cancelled`.
-/// May be called from a worker thread, never from two at once.
-using Progress = std::function<bool(std::uint64_t done, std::uint64_t total)>;
-
 /// Pixels (grid units) per unit of length, exactly as the source said it.
 /// Unit none means that only the ratio x : y is known.
 struct Resolution {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "unstep/bitmap.h"
 #include "unstep/grid.h"
 #include "unstep/result.h"
 
@@ -64,6 +65,29 @@ struct Distance {
 /// one has nothing and the other has not, or as above.
 Result<Distance> measure_distance(const Drawing& chains, const Drawing& paths,
                                   double resolution = 0.125);
+
+/// How far the ink of two rasters is apart, pixel centre to pixel centre.
+struct InkDistance {
+  struct Worst {
+    std::int64_t square = 0;  ///< of the distance to the nearest ink there
+    Point at;                 ///< the pixel it is measured from
+    [[nodiscard]] double distance() const;  ///< pixels
+  };
+  Worst of_a;  ///< from the ink of the first to that of the second
+  Worst of_b;
+  std::uint64_t ink = 0;     ///< pixels of the first
+  std::uint64_t only_a = 0;  ///< ink pixels that the second has not
+  std::uint64_t only_b = 0;
+  /// The Hausdorff distance: the larger of the two.
+  [[nodiscard]] const Worst& worst() const {
+    return of_a.square < of_b.square ? of_b : of_a;
+  }
+};
+
+/// The Hausdorff distance between the ink of two rasters, exactly, in time of
+/// their pixels. invalid_argument if their sizes differ, or one has ink and the
+/// other none.
+Result<InkDistance> measure_ink(const Bitmap& a, const Bitmap& b);
 
 /// The guarantee of device mode (SU 1089551): draws the segments of `paths`
 /// with Method::device and compares point by point. `distance` is the largest

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -78,5 +79,10 @@ class [[nodiscard]] Result<void> {
 };
 
 using Status = Result<void>;
+
+/// Called now and then during long calls with work done and total (same,
+/// unspecified unit). Return false to cancel: the call returns `cancelled`.
+/// May be called from a worker thread, never from two at once.
+using Progress = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
 }  // namespace unstep

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "trace/skeleton_graph.h"
+#include "unstep/bitmap.h"
+#include "unstep/result.h"
+#include "unstep/trace.h"
+
+namespace unstep::strokes {
+
+/// Adds dots to strokes until no ink is farther than two pixels from what they
+/// draw: those that cover most of it first. `spots` are the places tried,
+/// beside the missing pixels themselves.
+Status cover_missing(const Bitmap& ink, std::vector<trace::Spot> spots,
+                     std::vector<Stroke>& strokes);
+
+}  // namespace unstep::strokes

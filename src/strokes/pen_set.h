@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "unstep/trace.h"
+
+namespace unstep::strokes {
+
+/// Gives the same pen to strokes of about the same width: drawings are made
+/// with a few pens, and measured widths scatter about theirs. The width that
+/// most steps have becomes a pen and takes those within a quarter of it, half a
+/// pixel at least and two at most; so on with the others.
+void share_pens(std::vector<Stroke>& strokes);
+
+/// Turns open strokes and sorts all so that each begins at its upper end, the
+/// topmost first: the order in which neighbours are near each other.
+void sort_down(std::vector<Stroke>& strokes);
+
+}  // namespace unstep::strokes
