@@ -3,7 +3,7 @@
 # needs, and a function that installs those that are missing.
 
 needs_build="cmake g++ ninja-build zlib1g-dev libpng-dev libtiff-dev
-  libjpeg-dev libopencv-dev libcli11-dev libfmt-dev nlohmann-json3-dev
+  libjpeg-dev libminizip-dev libopencv-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libpugixml-dev"
 needs_tests="libgtest-dev libgmock-dev python3 clang-format-14"
 # Programs that read our vector files, for the label clients.

@@ -172,9 +172,10 @@ class TiffSource final : public RasterSource {
         !fits) {
       return fits;
     }
-    Status read = read_colours(*rows, static_cast<std::int32_t>(shape.width),
-                               static_cast<std::int32_t>(shape.height),
-                               options_.threshold, page);
+    Status read =
+        read_colours(*rows, static_cast<std::int32_t>(shape.width),
+                     static_cast<std::int32_t>(shape.height), options_,
+                     bytes_.size() + rows->memory() + row, page);
     if (!read) return read;
     if (rows->saw_alpha()) {
       page.notes.emplace_back("transparent pixels shown over white");

@@ -179,6 +179,8 @@ TEST(BmpReader, ReadsOtherDepthsThroughTheModule) {
   EXPECT_EQ(error_of(cut).substr(0, 10), "truncated:");
 }
 
+#endif
+
 TEST(JpegReader, ReadsPixelsAndDensity) {
   const RasterPage page = read_raster(kJpeg);
   EXPECT_EQ(page.ink.width(), 16);
@@ -218,16 +220,6 @@ TEST(JpegReader, RejectsGiantImagesBeforeItAllocates) {
   options.limits.max_pixels = 1 << 30;
   EXPECT_EQ(error_of(file, options).substr(0, 14), "limit_exceeded");
 }
-
-#else
-
-TEST(JpegReader, SaysThatTheModuleIsMissing) {
-  EXPECT_EQ(error_of(kJpeg).substr(0, 12), "unsupported:");
-  (void)turned_jpeg(1);
-  (void)has_note({}, "");
-}
-
-#endif
 
 }  // namespace
 }  // namespace unstep
