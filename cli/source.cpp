@@ -37,7 +37,6 @@ std::string_view name_of(PulseFormat format) {
   return "";
 }
 
-/// What the ending of a name promises, where the content need not show it.
 std::optional<PulseFormat> promised_pulses(const std::string& path) {
   if (has_suffix(path, ".csv")) return PulseFormat::csv;
   if (has_suffix(path, ".vcd")) return PulseFormat::vcd;
@@ -45,9 +44,12 @@ std::optional<PulseFormat> promised_pulses(const std::string& path) {
   return std::nullopt;
 }
 
+/// What the ending of a name promises, where the content need not show it.
+/// What the ending of a name promises, where the content need not show it.
 std::optional<VectorFormat> promised(const std::string& path) {
   if (has_suffix(path, ".fc")) return VectorFormat::freeman;
   const std::optional<OutputFormat> format = format_of_name(path);
+  if (format == OutputFormat::pdf) return std::nullopt;  // its page images
   return format ? vector_format(*format) : std::nullopt;
 }
 
@@ -110,7 +112,9 @@ Result<Source> Source::recognise(const std::string& path,
     return open_pulses(*kept, *pulses, options);
   }
   const auto format = recognise_vector(text_of(*kept));
-  if (!format) return open_raster(std::move(*kept), options);
+  if (!format || *format == VectorFormat::pdf) {
+    return open_raster(std::move(*kept), options);
+  }
   Result<Source> vector = open_vector(*kept, *format, options);
   if (vector || *format != VectorFormat::freeman) return vector;
   return Error{vector.error().code,
