@@ -255,10 +255,10 @@ Status finish_pixels(const RasterReadOptions& options, RasterPage& page) {
   const PixelWork& work = options.work;
   const bool thresholded = !page.work.empty();
   if (!thresholded) {
+    invert_ink(work.invert, page);
     if (work.deskew) {
       if (Status done = deskew_ink(options, page); !done) return done;
     }
-    invert_ink(work.invert, page);
   }
   if (Status done = remove_pieces(work.despeckle, false, page); !done) {
     return done;
