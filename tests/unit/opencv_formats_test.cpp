@@ -215,7 +215,7 @@ TEST(JpegReader, RejectsTruncationAtEveryByte) {
 TEST(JpegReader, RejectsGiantImagesBeforeItAllocates) {
   Bytes file = kJpeg;
   const std::size_t frame = 20 + 69 + 5;  // SOF0's height
-  for (std::size_t i = 0; i < 4; ++i) file[frame + i] = 0xff;
+  for (std::size_t i = 0; i < 4; i += 2) file[frame + i] = 0xff;
   RasterReadOptions options;
   options.limits.max_pixels = 1 << 30;
   EXPECT_EQ(error_of(file, options).substr(0, 14), "limit_exceeded");

@@ -236,6 +236,7 @@ TEST(PulseReader, SurvivesTruncationAndFlippedBits) {
   const std::string whole = codes(session, PulseFormat::sigrok);
   for (std::size_t size = 0; size < session.size(); ++size) {
     const std::string cut = codes(session.substr(0, size), PulseFormat::sigrok);
+    if (cut == whole) continue;  // the length of a comment that is not there
     EXPECT_FALSE(cut.empty());
     EXPECT_EQ(cut.find_first_not_of("01234567"), 0U) << size << " " << cut;
   }

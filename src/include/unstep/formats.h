@@ -34,8 +34,8 @@ struct Threshold {
 /// What else is done to the pixels of a page, bilevel ones too, in this order.
 struct PixelWork {
   enum class Invert : std::uint8_t { no, yes, automatic };
-  bool deskew = false;           ///< turns the page straight, within 10 degrees
   Invert invert = Invert::no;    ///< automatic: if more is dark than light
+  bool deskew = false;           ///< turns the page straight, within 10 degrees
   std::uint64_t despeckle = 0;   ///< removes 8-connected ink of so many pixels
                                  ///< or fewer
   std::uint64_t fill_holes = 0;  ///< fills 4-connected paper of so many or
