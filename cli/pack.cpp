@@ -1,6 +1,7 @@
 #include "cli/pack.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -173,6 +174,11 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
     count_drawing(*stored, packed);
     const bool exact = stored->fidelity.kind == Fidelity::Kind::exact;
     packed.lossless = packed.lossless && page->lossless && exact;
+    packed.exact = packed.exact && exact;
+    if (!page->work.empty()) {
+      packed.pixel_work.push_back(on_page(
+          index, count, fmt::format("{}", fmt::join(page->work, "; "))));
+    }
     for (const std::string& note : page->notes) {
       packed.notes.push_back(on_page(index, count, note));
     }
@@ -218,7 +224,13 @@ std::string describe(const Packed& packed, bool verified) {
                         per_cent(packed.bytes.size(), packed.program_bytes),
                         grouped(packed.program_bytes));
   }
-  return text + (verified ? ", verified" : ", not verified");
+  text += verified ? ", verified" : ", not verified";
+  if (packed.pixel_work.empty()) return text;
+  text += packed.pages == 1
+              ? fmt::format("; pixels: {}", packed.pixel_work[0])
+              : fmt::format("; pixels of {} changed",
+                            counted(packed.pixel_work.size(), "page"));
+  return text + (packed.exact ? "; lossless from there on" : "");
 }
 
 }  // namespace unstep::cli

@@ -32,6 +32,8 @@ struct Packed {
   std::int32_t width = 0;            ///< of the last page
   std::int32_t height = 0;
   bool lossless = true;
+  bool exact = true;  ///< the pages are what is left after `pixel_work`
+  std::vector<std::string> pixel_work;  ///< one line a page that had any
   std::vector<std::string> notes;
 };
 

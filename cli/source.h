@@ -21,6 +21,7 @@ struct SourcePage {
   Page page;
   bool lossless = true;
   std::vector<std::string> notes;
+  std::vector<std::string> work;  ///< RasterPage
 };
 
 /// Raster image, vector drawing, Freeman text or .ustp, recognised by content
@@ -54,6 +55,9 @@ class Source {
                                     const InputOptions& options);
   static Result<Source> open_vector(const std::vector<std::uint8_t>& file,
                                     VectorFormat format,
+                                    const InputOptions& options);
+  static Result<Source> open_pulses(const std::vector<std::uint8_t>& file,
+                                    PulseFormat format,
                                     const InputOptions& options);
   static Result<Source> recognise(const std::string& path,
                                   std::vector<std::uint8_t> file,
