@@ -160,8 +160,8 @@ Result<Program> program_of_page(Page page, const DrawFiles& files,
     lines.tolerance.unit = Quantity::Unit::grid;
   }
   if (page.kind == PageKind::ink || page.kind == PageKind::chains) {
-    Result<Page> drawn = to_lines(std::move(page), lines, files.effort,
-                                   LineAim::few_lines);
+    Result<Page> drawn =
+        to_lines(std::move(page), lines, files.effort, LineAim::few_lines);
     if (!drawn) return drawn.error();
     page = *std::move(drawn);
     if (page.kind == PageKind::ink) {

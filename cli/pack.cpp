@@ -209,9 +209,9 @@ std::string describe(const Packed& packed, bool verified) {
     if (packed.arcs > 0) text += ", " + counted(packed.arcs, "arc");
   }
   if (packed.fidelity) {
-    text += describe_bound(*packed.fidelity,
-                           packed.program_lines > 0 ? "mm" : "px",
-                           packed.strokes);
+    text +=
+        describe_bound(*packed.fidelity, packed.program_lines > 0 ? "mm" : "px",
+                       packed.strokes);
   }
   text += ", " + counted(packed.bytes.size(), "byte");
   if (packed.packed_bytes > 0) {

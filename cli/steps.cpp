@@ -136,7 +136,7 @@ void add_steps(CLI::App& app, Context& context) {
   add_lines(*verb, options->lines);
   add_unit_size(*verb, options->draw);
   add_page(*verb, options->page);
-  add_threshold(*verb, options->read.threshold);
+  add_pixels(*verb, options->read);
   add_limits(*verb, options->read.limits);
   add_quiet(*verb, options->quiet);
   finish_verb(*verb, kExamples);
