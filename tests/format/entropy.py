@@ -132,7 +132,7 @@ class Mixer:
     def learn(self, bit):
         for vector, o in zip(self.vectors, self.outputs):
             w, age = vector
-            rate = 350 + 1450 * 16 // (16 + age // 64)
+            rate = 350 + 1050 * 16 // (16 + age // 64)
             step = (65536 * bit - squash(o)) * rate >> 12
             vector[:] = ([clamp(b + ((8 * a * step >> 16) + 1 >> 1),
                                 -32768, 32767)

@@ -6,7 +6,8 @@ import zlib
 from entropy import Damaged, squash
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "src/codec"
-CRC = {"small": 0x619FB32C, "large": 0xD3B15ED2}
+CRCS = {"small": (0x619FB32C, 0x53BF3DA3),
+        "large": (0xD3B15ED2, 0x6FED0277)}
 
 
 class Table:
@@ -16,11 +17,14 @@ class Table:
         source = FOLDER / f"warm_start_{part}.cpp"
         text = source.read_text("ascii").split("const Table ")[1]
         records = "".join(re.findall(r'"([^"]*)"', text))
-        if zlib.crc32(records.encode()) != CRC[part]:
-            raise Damaged(f"{source} is not table 1")
-        counts, turn, start, flags = (
+        parts = [
             [int(v) for v in re.findall(r"-?\d+", body)] for body in
-            re.findall(r"{{(.*?)}}", re.sub(r'"[^"]*"', "", text), re.S))
+            re.findall(r"{{(.*?)}}", re.sub(r'"[^"]*"', "", text), re.S)]
+        numbers = "".join(f"{v} " for values in parts for v in values)
+        if tuple(zlib.crc32(t.encode()) for t in (
+                records, numbers)) != CRCS[part]:
+            raise Damaged(f"{source} is not table 1")
+        counts, turn, start, flags = parts
         self.groups, at = [], 0
         for count in counts:
             self.groups.append([self.record(records[i:i + 8]) for i in

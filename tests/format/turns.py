@@ -54,7 +54,7 @@ class TurnModel(Walker):
                 slots[(index << 12 | check) >> (28 - b)] = [
                     check + 1, [p[0], n[0]], [p[1], n[1]]]
         self.gates = {}
-        self.mixer = Mixer((64, 1024, 1024), table.turn)
+        self.mixer = Mixer((64, 1024, 1024, 1024), table.turn)
         self.refiners = Refiner(), Refiner()
         self.match = Match()
 
@@ -168,7 +168,8 @@ class TurnModel(Walker):
             left << 20 | curve >> 3]
         vectors = (2 * min(7, d_right) + (16 if d_left > 0 else 0),
                    2 * history(4),
-                   64 * ahead + 2 * (4 * level + guess))
+                   64 * ahead + 2 * (4 * level + guess),
+                   2 * (curve >> 8))
         return ([v << 4 | ahead << 1 | self.ink for v in values], vectors,
                 (2 * history(6), 2 * top(11, near * K)))
 
