@@ -274,7 +274,8 @@ Result<VectorPage> read_pulse_sigrok(std::span<const std::uint8_t> bytes,
       const std::string name = session->samples + "-" + std::to_string(part);
       if (archive.find(name)) {
         if (Status done = read(name); !done) return done.error();
-      } else if (part == 1) {
+      } else if (part == 1 || archive.find(session->samples + "-" +
+                                           std::to_string(part + 1))) {
         return Error{ErrorCode::truncated, name + " is missing"};
       } else {
         break;
