@@ -246,7 +246,7 @@ void add_batch(CLI::App& app, Context& context) {
   add_batch_options(*verb, *options);
   add_force(*verb, options->job.force);
   add_to(*verb, options->job.to);
-  add_threshold(*verb, options->job.read.threshold);
+  add_pixels(*verb, options->job.read);
   add_pack(*verb, options->job.pack);
   add_jobs(*verb, options->job.read.jobs);
   add_limits(*verb, options->job.read.limits);

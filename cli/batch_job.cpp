@@ -249,6 +249,7 @@ JobResult compress_job(const BatchInput& input, const JobOptions& options,
     result.pages = packed->pages;
     result.pixels = packed->pixels;
     result.lossless = packed->lossless;
+    result.pixel_work = std::move(packed->pixel_work);
     result.notes = std::move(packed->notes);
     return std::move(packed->bytes);
   };

@@ -42,6 +42,7 @@ struct JobResult {
   std::uint64_t pages = 0;
   std::uint64_t pixels = 0;
   bool lossless = true;
+  std::vector<std::string> pixel_work;  ///< Packed
   std::vector<std::string> notes;
   std::string failed_path;  ///< what the error is about: input or output
   Error error;

@@ -39,6 +39,7 @@ Json to_json(const BatchInput& input, const JobResult& result) {
                {"pages", result.pages},
                {"pixels", result.pixels},
                {"lossless", result.lossless},
+               {"pixel_work", result.pixel_work},
                {"notes", result.notes}};
   if (result.status == Status::failed) json["error"] = to_json(result.error);
   return json;

@@ -53,7 +53,7 @@ Result<bool> draw_well(const Bitmap& ink, const Page& strokes,
 
 Result<Page> by_contours(Page page, LineOptions options, Effort effort) {
   options.trace = LineOptions::Trace::contour;
-  return to_lines(std::move(page), options, effort);
+  return to_lines(std::move(page), options, effort, LineAim::few_lines);
 }
 
 /// Which of the two is simpler; the contours' lines if the ink says so.

@@ -31,7 +31,7 @@ struct CompressOptions {
 
 constexpr const char* kExamples =
     "  unstep compress page.tif                writes page.ustp, verified\n"
-    "  unstep compress photo.jpg --threshold otsu -o photo.ustp\n"
+    "  unstep compress photo.jpg --threshold auto --despeckle 8\n"
     "  unstep compress page.tif --meta title='Plan 7' --meta author=me\n"
     "  unstep compress traced.fc               chain codes, step for step\n"
     "  unstep compress plan.png --tolerance 1  lines and arcs, never more "
@@ -70,6 +70,8 @@ nlohmann::ordered_json to_json(const CompressOptions& options,
           {"packed_bytes", packed.packed_bytes},
           {"output_bytes", packed.bytes.size()},
           {"lossless", packed.lossless},
+          {"pixel_work", packed.pixel_work},
+          {"exact_from_there", packed.exact},
           {"verified", options.pack.verify},
           {"notes", packed.notes}};
 }

@@ -92,6 +92,7 @@ std::string coder_name(std::uint8_t coder) {
     case codec::kCoderContours: return "contours";
     case codec::kCoderChains: return "chains";
     case codec::kCoderPaths: return "paths";
+    case codec::kCoderProgram: return "program";
     default: return fmt::format("coder {}", coder);
   }
 }
@@ -102,6 +103,7 @@ std::string_view form_name(FileInfo::Form form) {
 
 std::string_view kind_name(PageKind kind) {
   if (kind == PageKind::ink) return "ink";
+  if (kind == PageKind::program) return "program";
   return kind == PageKind::chains ? "chains" : "paths";
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cli/draw_program.h"
 #include "cli/file_output.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
@@ -29,6 +30,7 @@ struct ConvertOptions {
   InputOptions read;
   LineOptions lines;
   ProgramOptions program;
+  DrawOptions draw;
   Effort effort = Effort::standard;
   bool quiet = false;
   bool force = false;
@@ -42,6 +44,8 @@ constexpr const char* kExamples =
     "  unstep convert part.dxf part.png --grid 0.1mm  drawn, 0.1 mm a pixel\n"
     "  unstep convert plan.ustp plan.pdf\n"
     "  unstep convert in.ngc out.ngc --tolerance 0.005mm  fewer, longer moves\n"
+    "  unstep convert logo.svg logo.nc --profile laser --feed 1500mm\n"
+    "  unstep convert in.ngc in.svg                   what a program draws\n"
     "  unstep convert - - --to hpgl --tolerance 1 < scan.pbm > scan.plt\n";
 
 /// Warnings are about the file that they come from.
@@ -132,6 +136,14 @@ ExitCode convert(ConvertOptions options) {
         {options.input, options.output, options.force, options.quiet},
         options.program, options.lines);
   }
+  if (names_program(options.output) && !options.to) {
+    return convert_to_program(
+        {{options.input, options.output, options.force, options.quiet},
+         options.page,
+         options.read,
+         options.effort},
+        options.draw, options.program, options.lines);
+  }
   if (!options.to) {
     if (options.output == "-") {
       return report_usage("convert", "standard output needs --to FORMAT");
@@ -178,8 +190,8 @@ void add_convert(CLI::App& app, Context& context) {
   CLI::App* verb = app.add_subcommand(
       "convert", "Turn a drawing of any format into another format");
   add_input(*verb, options->input,
-            "The drawing: a raster, SVG, DXF, HPGL, JSON, Freeman text or "
-            ".ustp; - is standard input");
+            "The drawing: a raster, SVG, DXF, HPGL, JSON, Freeman text, a "
+            "program or .ustp; - is standard input");
   verb->add_option("OUT", options->output,
                    "The file to write; - is standard output")
       ->required()
@@ -190,6 +202,7 @@ void add_convert(CLI::App& app, Context& context) {
   add_lines(*verb, options->lines);
   add_effort(*verb, options->effort);
   add_program(*verb, options->program);
+  add_draw(*verb, options->draw);
   add_input_kind(*verb, options->read);
   add_jobs(*verb, options->read.jobs);
   add_limits(*verb, options->read.limits);

@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMaxListBytes = std::uint64_t{1} << 30;
-constexpr std::array<std::string_view, 11> kDrawings{
+constexpr std::array<std::string_view, 12> kDrawings{
     ".pbm", ".pgm", ".pnm", ".png",  ".tif", ".tiff",
-    ".bmp", ".dib", ".jpg", ".jpeg", ".fc"};
+    ".bmp", ".dib", ".jpg", ".jpeg", ".pdf", ".fc"};
 
 Error io_problem(int number) {
   return {ErrorCode::io_error,

@@ -85,6 +85,9 @@ std::string describe_block(const PageEntry& page,
     case PageKind::chains:
       return fmt::format("{}, {}", counted(block.chains, "chain"),
                          counted(block.steps, "step"));
+    case PageKind::program:
+      return fmt::format("{}, {} of text", counted(block.lines, "line"),
+                         counted(block.text_bytes, "byte"));
     case PageKind::paths: break;
   }
   return fmt::format("{}, {}", counted(block.paths, "path"),
@@ -94,6 +97,10 @@ std::string describe_block(const PageEntry& page,
 std::string describe_canvas(const PageEntry& page) {
   const Canvas& canvas = page.canvas;
   std::string text(kind_name(page.kind));
+  if (page.kind == PageKind::program) {
+    const std::string bound = describe_bound(page.fidelity, "mm");
+    return bound.empty() ? text : text + "," + bound;
+  }
   if (page.kind != PageKind::ink && canvas.width == 0 && canvas.height == 0) {
     text += ", no canvas";
   } else {

@@ -35,7 +35,10 @@ Json to_json(const Resolution& resolution) {
 
 Json to_json(const PageEntry::Block& block, PageKind kind) {
   Json json = {{"offset", block.offset}, {"bytes", block.bytes}};
-  if (kind == PageKind::ink) {
+  if (kind == PageKind::program) {
+    json["lines"] = block.lines;
+    json["text_bytes"] = block.text_bytes;
+  } else if (kind == PageKind::ink) {
     json["first_row"] = block.first_row;
     json["rows"] = block.rows;
   } else {

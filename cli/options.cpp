@@ -64,18 +64,39 @@ CLI::Option* add_count(CLI::App& verb, const char* name, Number& number,
 }
 
 void set_threshold(Threshold& threshold, const std::string& text) {
-  if (text == "otsu") {
-    threshold.kind = Threshold::Kind::otsu;
+  using Kind = Threshold::Kind;
+  constexpr std::array<std::pair<std::string_view, Kind>, 4> kMethods{
+      {{"auto", Kind::automatic},
+       {"otsu", Kind::otsu},
+       {"sauvola", Kind::sauvola},
+       {"local", Kind::local}}};
+  for (const auto& [word, kind] : kMethods) {
+    if (text != word) continue;
+    threshold.kind = kind;
     return;
   }
   const Result<std::uint64_t> level = parse_count(text);
   if (!level || *level < 1 || *level > 255) {
     throw CLI::ValidationError(
-        "--threshold",
-        fmt::format("'{}' is neither a level of 1 to 255 nor otsu", text));
+        "--threshold", fmt::format("'{}' is neither a level of 1 to 255 nor "
+                                   "auto, otsu, sauvola or local",
+                                   text));
   }
-  threshold.kind = Threshold::Kind::fixed;
+  threshold.kind = Kind::fixed;
   threshold.level = static_cast<int>(*level);
+}
+
+void set_invert(PixelWork& work, const std::string& text) {
+  if (text == "auto") {
+    work.invert = PixelWork::Invert::automatic;
+  } else if (text == "yes") {
+    work.invert = PixelWork::Invert::yes;
+  } else if (text == "no") {
+    work.invert = PixelWork::Invert::no;
+  } else {
+    throw CLI::ValidationError(
+        "--invert", fmt::format("'{}' is not auto, yes or no", text));
+  }
 }
 
 /// A length above 0.
@@ -101,6 +122,18 @@ void set_kind(InputOptions& options, const std::string& text) {
     options.kind = Kind::raster;
     return;
   }
+  constexpr std::array<std::pair<std::string_view, PulseFormat>, 5> kPulses{
+      {{"csv", PulseFormat::csv},
+       {"vcd", PulseFormat::vcd},
+       {"sr", PulseFormat::sigrok},
+       {"raw2", PulseFormat::raw2},
+       {"raw4", PulseFormat::raw4}}};
+  for (const auto& [word, format] : kPulses) {
+    if (text != word) continue;
+    options.kind = Kind::pulses;
+    options.pulses = format;
+    return;
+  }
   for (const auto& [word, format] : kVectors) {
     if (text != word) continue;
     options.kind = Kind::vector;
@@ -109,7 +142,53 @@ void set_kind(InputOptions& options, const std::string& text) {
   }
   throw CLI::ValidationError(
       "--from",
-      fmt::format("'{}' is not raster, svg, dxf, hpgl, json or freeman", text));
+      fmt::format(
+          "'{}' is not raster, svg, dxf, hpgl, json, freeman, csv, vcd, "
+          "sr, raw2 or raw4",
+          text));
+}
+
+void set_channels(PulseReadOptions& options, const std::string& text) {
+  options.channels.clear();
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    options.channels.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  const std::size_t count = options.channels.size();
+  if (count != 2 && count != 4) {
+    throw CLI::ValidationError(
+        "--channels", fmt::format("'{}' is not A,B or XA,XB,YA,YB", text));
+  }
+}
+
+void set_counts(PulseReadOptions& options, const std::string& text) {
+  if (text == "x1") {
+    options.counts = 1;
+  } else if (text == "x2") {
+    options.counts = 2;
+  } else if (text == "x4") {
+    options.counts = 4;
+  } else {
+    throw CLI::ValidationError("--counts",
+                               fmt::format("'{}' is not x1, x2 or x4", text));
+  }
+}
+
+void set_trigger(PulseReadOptions& options, const std::string& text) {
+  const char* end = text.data() + text.size();
+  const auto [comma, low_failed] =
+      std::from_chars(text.data(), end, options.low);
+  bool good = low_failed == std::errc() && comma != end && *comma == ',';
+  if (good) {
+    const auto [stop, failed] = std::from_chars(comma + 1, end, options.high);
+    good = failed == std::errc() && stop == end && options.low < options.high;
+  }
+  if (!good) {
+    throw CLI::ValidationError(
+        "--trigger",
+        fmt::format("'{}' is not LOW,HIGH, the lower first", text));
+  }
 }
 
 void set_method(LineOptions& options, const std::string& text) {
@@ -250,10 +329,11 @@ void add_input_kind(CLI::App& verb, InputOptions& options) {
   verb.add_option_function<std::string>(
           "--from",
           [&options](const std::string& text) { set_kind(options, text); },
-          "What the input is: raster, svg, dxf, hpgl, json or freeman [by its "
-          "content]")
+          "What the input is: raster, svg, dxf, hpgl, json, freeman, or of "
+          "encoders csv, vcd, sr, raw2 or raw4 [by its content]")
       ->type_name("KIND");
-  add_threshold(verb, options.threshold);
+  add_pixels(verb, options);
+  add_decoding(verb, options.decoding);
   verb.add_option_function<std::string>(
           "--grid",
           [&options](const std::string& text) {
@@ -272,15 +352,53 @@ void add_input_kind(CLI::App& verb, InputOptions& options) {
       ->type_name("N");
 }
 
-void add_threshold(CLI::App& verb, Threshold& threshold) {
+void add_decoding(CLI::App& verb, PulseReadOptions& options) {
+  verb.add_option_function<std::string>(
+          "--channels",
+          [&options](const std::string& text) { set_channels(options, text); },
+          "For encoders: names or columns of the channels A,B of x, or "
+          "XA,XB,YA,YB [by their usual names]")
+      ->type_name("NAMES");
+  verb.add_option_function<std::string>(
+          "--counts",
+          [&options](const std::string& text) { set_counts(options, text); },
+          "For encoders: counts of a cycle, x1, x2 or x4 [x4]")
+      ->type_name("N");
+  verb.add_option_function<std::string>(
+          "--trigger",
+          [&options](const std::string& text) { set_trigger(options, text); },
+          "For encoders as analogue CSV: a channel is low below LOW and high "
+          "above HIGH")
+      ->type_name("LOW,HIGH");
+}
+
+void add_pixels(CLI::App& verb, InputOptions& options) {
   verb.add_option_function<std::string>(
           "--threshold",
-          [&threshold](const std::string& text) {
-            set_threshold(threshold, text);
+          [&options](const std::string& text) {
+            set_threshold(options.threshold, text);
           },
-          "For grey and colour: luminance below N (1 to 255) is ink, or otsu "
-          "chooses N. This loses the greys")
-      ->type_name("N|otsu");
+          "For grey and colour: what is ink. Luminance below N (1 to 255); "
+          "otsu chooses N; sauvola and local look at the surroundings; auto "
+          "is local, or otsu where that does not fit. This loses the greys")
+      ->type_name("N|METHOD");
+  verb.add_option_function<std::string>(
+          "--invert",
+          [&options](const std::string& text) {
+            set_invert(options.work, text);
+          },
+          "Ink and paper change places: auto (if more is dark), yes or no [no]")
+      ->type_name("WHEN");
+  constexpr std::uint64_t kMost = 1000000;
+  add_count(verb, "--despeckle", options.work.despeckle, 0, kMost,
+            "Remove pieces of ink of at most N pixels [0]")
+      ->type_name("N");
+  add_count(verb, "--fill-holes", options.work.fill_holes, 0, kMost,
+            "Fill holes in ink of at most N pixels [0]")
+      ->type_name("N");
+  verb.add_flag("--deskew", options.work.deskew,
+                "Turn the page straight, by 10 degrees at most; it grows a "
+                "little");
 }
 
 void add_pack(CLI::App& verb, PackOptions& options) {

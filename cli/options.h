@@ -17,10 +17,13 @@ namespace unstep::cli {
 
 /// How an input drawing is read.
 struct InputOptions {
-  enum class Kind : std::uint8_t { automatic, raster, vector };
+  enum class Kind : std::uint8_t { automatic, raster, vector, pulses };
   Kind kind = Kind::automatic;
   VectorFormat vector = VectorFormat::svg;  ///< when kind == vector
+  PulseFormat pulses = PulseFormat::csv;    ///< when kind == pulses
+  PulseReadOptions decoding;                ///< its limits are not used
   Threshold threshold;
+  PixelWork work;
   std::optional<Quantity> grid;  ///< vectors become steps on this grid
   double curve_tolerance = 0;    ///< VectorReadOptions
   DecodeLimits limits;
@@ -72,10 +75,14 @@ void add_jobs(CLI::App& verb, int& jobs);
 /// --max-pixels, --max-steps, --max-memory.
 void add_limits(CLI::App& verb, DecodeLimits& limits);
 
-/// --from, --threshold, --grid and --curves.
+/// --from, --grid, --curves, those of add_pixels and of add_decoding.
 void add_input_kind(CLI::App& verb, InputOptions& options);
 
-void add_threshold(CLI::App& verb, Threshold& threshold);
+/// --channels, --counts and --trigger, for recordings of encoders.
+void add_decoding(CLI::App& verb, PulseReadOptions& options);
+
+/// --threshold, --invert, --despeckle, --fill-holes and --deskew.
+void add_pixels(CLI::App& verb, InputOptions& options);
 
 /// --no-verify, --bands, --meta, --effort and those of add_lines.
 void add_pack(CLI::App& verb, PackOptions& options);

@@ -12,7 +12,7 @@ struct Ending {
 };
 
 /// The first of a format is its usual one.
-constexpr std::array<Ending, 13> kEndings{{{"png", OutputFormat::png},
+constexpr std::array<Ending, 19> kEndings{{{"png", OutputFormat::png},
                                            {"pbm", OutputFormat::pbm},
                                            {"tif", OutputFormat::tiff},
                                            {"svg", OutputFormat::svg},
@@ -21,11 +21,17 @@ constexpr std::array<Ending, 13> kEndings{{{"png", OutputFormat::png},
                                            {"hpgl", OutputFormat::hpgl},
                                            {"json", OutputFormat::json},
                                            {"fc", OutputFormat::freeman},
+                                           {"ngc", OutputFormat::program},
                                            {"tiff", OutputFormat::tiff},
                                            {"plt", OutputFormat::hpgl},
                                            {"hpg", OutputFormat::hpgl},
-                                           {"hgl", OutputFormat::hpgl}}};
-constexpr std::size_t kFormats = 9;
+                                           {"hgl", OutputFormat::hpgl},
+                                           {"nc", OutputFormat::program},
+                                           {"gcode", OutputFormat::program},
+                                           {"gc", OutputFormat::program},
+                                           {"tap", OutputFormat::program},
+                                           {"cnc", OutputFormat::program}}};
+constexpr std::size_t kFormats = 10;
 
 }  // namespace
 

@@ -19,7 +19,8 @@ enum class OutputFormat : std::uint8_t {
   hpgl,
   pdf,
   json,
-  freeman
+  freeman,
+  program
 };
 
 /// "pbm", "png", "tif", "fc" ..., the usual ending of names and --to's word.

@@ -1,11 +1,14 @@
 #include "cli/pack.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "cli/centreline.h"
 #include "cli/message.h"
+#include "cli/program.h"
 #include "cli/reshape.h"
 
 namespace unstep::cli {
@@ -41,7 +44,60 @@ void count_ink(const Page& page, Packed& packed) {
   packed.height = ink.height();
 }
 
+/// Bytes of a file of this program alone.
+Result<std::size_t> stored_size(const Page& page) {
+  EncodeOptions options;
+  options.verify = false;
+  UstpWriter writer(options);
+  if (Status added = writer.add_program(page.program, {}); !added) {
+    return added.error();
+  }
+  const Result<std::vector<std::uint8_t>> file = writer.finish();
+  if (!file) return file.error();
+  return file->size();
+}
+
+/// A program in the form that takes the least room, shortened if the lines say
+/// so.
+Result<Page> to_stored_program(Page page, const LineOptions& lines,
+                               Packed& packed,
+                               std::vector<std::string>& notes) {
+  Result<Program> program = read_gcode(page.program, {});
+  if (!program) return program.error();
+  notes.insert(notes.end(), program->notes.begin(), program->notes.end());
+  packed.program_bytes += page.program.size();
+  ProgramOptions options;
+  options.write.add_end = false;
+  Result<WrittenProgram> written = write_program(*program, options, {});
+  if (!written) return written.error();
+  page.program = std::move(written->text);
+  if (lines.method == LineOptions::Method::tolerance) {
+    // Fewer motions with other numbers can take more room.
+    Page shorter;
+    written = write_program(*std::move(program), options, lines);
+    if (!written) return written.error();
+    shorter.program = std::move(written->text);
+    const Result<std::size_t> whole = stored_size(page);
+    const Result<std::size_t> less = stored_size(shorter);
+    if (!whole) return whole.error();
+    if (!less) return less.error();
+    if (*less < *whole) page.program = std::move(shorter.program);
+  }
+  packed.program_lines += static_cast<std::uint64_t>(
+      std::count(page.program.begin(), page.program.end(), '\n'));
+  if (lines.method == LineOptions::Method::tolerance) {
+    const Result<Rational> tolerance = program_tolerance(lines);
+    if (!tolerance) return tolerance.error();
+    page.fidelity = {Fidelity::Kind::tolerance, *tolerance};
+  }
+  packed.fidelity = page.fidelity;
+  return page;
+}
+
 Status add_page(UstpWriter& writer, const Page& page) {
+  if (page.kind == PageKind::program) {
+    return writer.add_program(page.program, page.info, page.fidelity);
+  }
   return page.kind == PageKind::ink
              ? writer.add_page(page.ink, page.info)
              : writer.add_page(page.drawing, page.info, page.fidelity);
@@ -61,16 +117,17 @@ std::string on_page(std::size_t index, std::size_t count,
   return place + std::string(message);
 }
 
-std::string describe_bound(const Fidelity& fidelity, bool strokes) {
+std::string describe_bound(const Fidelity& fidelity, std::string_view unit,
+                           bool strokes) {
   if (fidelity.kind == Fidelity::Kind::device) {
     return " within 1 px on each axis";
   }
   if (fidelity.kind == Fidelity::Kind::exact) return "";
   if (strokes && fidelity.tolerance.numerator == 0) return " on centrelines";
-  return fmt::format(" within {:.6g} px{}",
+  return fmt::format(" within {:.6g} {}{}",
                      static_cast<double>(fidelity.tolerance.numerator) /
                          fidelity.tolerance.denominator,
-                     strokes ? " of centrelines" : "");
+                     unit, strokes ? " of centrelines" : "");
 }
 
 Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
@@ -101,12 +158,16 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
     ++packed.pages;
     if (read.kind == PageKind::ink) count_ink(read, packed);
     Result<Page> stored =
-        to_lines(std::move(page->page), options.lines, options.effort);
+        read.kind == PageKind::program
+            ? to_stored_program(std::move(page->page), options.lines, packed,
+                                page->notes)
+            : to_lines(std::move(page->page), options.lines, options.effort,
+                       LineAim::few_bytes);
     if (!stored) {
       return Error{stored.error().code,
                    on_page(index, count, stored.error().message)};
     }
-    if (options.lines.travel) {
+    if (options.lines.travel && stored->kind != PageKind::program) {
       const Status ordered = order_page(*stored, page->notes);
       if (!ordered) return ordered.error();
     }
@@ -117,6 +178,11 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
     count_drawing(*stored, packed);
     const bool exact = stored->fidelity.kind == Fidelity::Kind::exact;
     packed.lossless = packed.lossless && page->lossless && exact;
+    packed.exact = packed.exact && exact;
+    if (!page->work.empty()) {
+      packed.pixel_work.push_back(on_page(
+          index, count, fmt::format("{}", fmt::join(page->work, "; "))));
+    }
     for (const std::string& note : page->notes) {
       packed.notes.push_back(on_page(index, count, note));
     }
@@ -135,7 +201,9 @@ std::string describe(const Packed& packed, bool verified) {
   } else if (packed.pixels > 0) {
     text += fmt::format(", {} px", grouped(packed.pixels));
   }
-  if (packed.chains > 0 || (packed.pixels == 0 && packed.paths == 0)) {
+  if (packed.program_lines > 0) {
+    text += ", " + counted(packed.program_lines, "line");
+  } else if (packed.chains > 0 || (packed.pixels == 0 && packed.paths == 0)) {
     text += fmt::format(", {}, {}", counted(packed.chains, "chain"),
                         counted(packed.steps, "step"));
   }
@@ -145,7 +213,9 @@ std::string describe(const Packed& packed, bool verified) {
     if (packed.arcs > 0) text += ", " + counted(packed.arcs, "arc");
   }
   if (packed.fidelity) {
-    text += describe_bound(*packed.fidelity, packed.strokes);
+    text +=
+        describe_bound(*packed.fidelity, packed.program_lines > 0 ? "mm" : "px",
+                       packed.strokes);
   }
   text += ", " + counted(packed.bytes.size(), "byte");
   if (packed.packed_bytes > 0) {
@@ -153,7 +223,18 @@ std::string describe(const Packed& packed, bool verified) {
                         per_cent(packed.bytes.size(), packed.packed_bytes),
                         grouped(packed.packed_bytes));
   }
-  return text + (verified ? ", verified" : ", not verified");
+  if (packed.program_bytes > 0) {
+    text += fmt::format(", {} of {}",
+                        per_cent(packed.bytes.size(), packed.program_bytes),
+                        grouped(packed.program_bytes));
+  }
+  text += verified ? ", verified" : ", not verified";
+  if (packed.pixel_work.empty()) return text;
+  text += packed.pages == 1
+              ? fmt::format("; pixels: {}", packed.pixel_work[0])
+              : fmt::format("; pixels of {} changed",
+                            counted(packed.pixel_work.size(), "page"));
+  return text + (packed.exact ? "; lossless from there on" : "");
 }
 
 }  // namespace unstep::cli

@@ -25,11 +25,15 @@ struct Packed {
   std::uint64_t paths = 0;
   std::uint64_t lines = 0;  ///< elements of the paths stored
   std::uint64_t arcs = 0;
+  std::uint64_t program_lines = 0;   ///< of programs
+  std::uint64_t program_bytes = 0;   ///< as they were read
   std::optional<Fidelity> fidelity;  ///< of the last page of paths
   bool strokes = false;              ///< which is strokes that stand for ink
   std::int32_t width = 0;            ///< of the last page
   std::int32_t height = 0;
   bool lossless = true;
+  bool exact = true;  ///< the pages are what is left after `pixel_work`
+  std::vector<std::string> pixel_work;  ///< one line a page that had any
   std::vector<std::string> notes;
 };
 
@@ -48,6 +52,7 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
 /// " within 1 px", " within 1 px on each axis", " within 1 px of centrelines";
 /// nothing for what is exact.
 [[nodiscard]] std::string describe_bound(const Fidelity& fidelity,
+                                         std::string_view unit = "px",
                                          bool strokes = false);
 
 /// Adds "page 2: " to a message about one of several pages, unless it is there.

@@ -14,6 +14,7 @@ struct PageWriter::Impl {
   Effort effort = Effort::standard;
   DecodeLimits limits;
   bool freeman = false;
+  bool program = false;
   std::optional<RasterWriter> raster;
   std::optional<VectorWriter> vector;
   std::size_t notes_taken = 0;
@@ -58,7 +59,8 @@ Status PageWriter::Impl::add_drawing(Page page,
   if (page.kind == PageKind::ink && contours && !lines.travel) {
     added = add_contours(page);
   } else {
-    Result<Page> drawn = to_lines(std::move(page), lines, effort);
+    Result<Page> drawn =
+        to_lines(std::move(page), lines, effort, LineAim::few_lines);
     if (!drawn) return drawn.error();
     // Freeman text holds steps: of the device's segments those that it draws.
     if (freeman && drawn->fidelity.kind == Fidelity::Kind::device) {
@@ -97,6 +99,8 @@ Result<PageWriter> PageWriter::create(OutputFormat format, ByteSink sink,
   impl->effort = effort;
   impl->limits = limits;
   impl->freeman = format == OutputFormat::freeman;
+  impl->program = format == OutputFormat::program;
+  if (impl->program) return PageWriter(std::move(impl));
   if (const auto raster = raster_format(format)) {
     Result<RasterWriter> writer = RasterWriter::create(*raster);
     if (!writer) return writer.error();
@@ -111,11 +115,22 @@ Result<PageWriter> PageWriter::create(OutputFormat format, ByteSink sink,
 }
 
 Status PageWriter::add(Page page, std::vector<std::string>& notes) {
+  if (impl_->program) {
+    if (page.kind == PageKind::program) return impl_->sink(page.program);
+    return Error{ErrorCode::unsupported,
+                 "is a drawing; unstep convert makes programs of drawings"};
+  }
+  if (page.kind == PageKind::program) {
+    Result<Page> drawn = draw_program_page(page, notes);
+    if (!drawn) return drawn.error();
+    page = *std::move(drawn);
+  }
   return impl_->raster ? impl_->add_ink(page, notes)
                        : impl_->add_drawing(std::move(page), notes);
 }
 
 Status PageWriter::finish() {
+  if (impl_->program) return {};
   if (impl_->vector) return impl_->vector->finish();
   const Result<std::vector<std::uint8_t>> bytes = impl_->raster->finish();
   if (!bytes) return bytes.error();

@@ -12,6 +12,7 @@
 
 #include "cli/message.h"
 #include "cli/output.h"
+#include "cli/reshape.h"
 #include "unstep/formats.h"
 
 namespace unstep::cli {
@@ -27,20 +28,6 @@ void add_choice(CLI::App& verb, const char* name, Value& value,
       ->transform(
           CLI::CheckedTransformer(words, CLI::ignore_case).description(""))
       ->type_name("WORD");
-}
-
-/// "\n" on the command line is a new line.
-std::string lines_of(const std::string& text) {
-  std::string lines;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == 'n') {
-      lines += '\n';
-      ++i;
-    } else {
-      lines += text[i];
-    }
-  }
-  return lines;
 }
 
 Result<double> tolerance_mm(const LineOptions& lines) {
@@ -103,19 +90,17 @@ std::string summary(const CompactReport& report, bool shortened) {
                      counted(report.arcs_after, "arc"));
 }
 
-struct Converted {
-  std::string text;
-  std::string summary;
-  std::vector<std::string> notes;
-};
+}  // namespace
 
-Result<Converted> convert_text(const std::vector<std::uint8_t>& bytes,
-                               const ProgramOptions& options,
-                               const LineOptions& lines) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
-                              bytes.size());
-  Result<Program> program = read_gcode(text, options.read);
-  if (!program) return program.error();
+Result<Rational> program_tolerance(const LineOptions& lines) {
+  const Result<double> length = tolerance_mm(lines);
+  if (!length) return length.error();
+  return to_tolerance({*length, Quantity::Unit::grid}, {});
+}
+
+Result<WrittenProgram> write_program(Program program,
+                                     const ProgramOptions& options,
+                                     const LineOptions& lines) {
   CompactReport report;
   const bool shortened = lines.method == LineOptions::Method::tolerance;
   if (shortened) {
@@ -127,33 +112,43 @@ Result<Converted> convert_text(const std::vector<std::uint8_t>& bytes,
     how.decimals = options.write.inches ? -1 : options.write.decimals;
     how.rules.quadrants = options.quadrants;
     how.rules.by_radius = options.write.arcs == ArcForm::radius;
-    program = compact(*program, how, &report);
-    if (!program) return program.error();
+    Result<Program> shorter = compact(program, how, &report);
+    if (!shorter) return shorter.error();
+    program = *std::move(shorter);
   } else {
     report.lines_before = static_cast<std::uint64_t>(std::count_if(
-        program->items.begin(), program->items.end(),
+        program.items.begin(), program.items.end(),
         [](const ProgramItem& item) { return item.is_motion(); }));
     if (options.quadrants) {
       ArcRules rules;
       rules.quadrants = true;
-      program = split_arcs(*program, rules);
-      if (!program) return program.error();
+      Result<Program> split = split_arcs(program, rules);
+      if (!split) return split.error();
+      program = *std::move(split);
     }
   }
-  const Result<std::string> out = write_gcode(*program, options.write);
+  const Result<std::string> out = write_gcode(program, options.write);
   if (!out) return out.error();
-  const Status checked = check_written(*program, *out, options);
+  const Status checked = check_written(program, *out, options);
   if (!checked) return checked.error();
-  return Converted{*out, summary(report, shortened), program->notes};
+  return WrittenProgram{*out, summary(report, shortened)};
 }
 
-}  // namespace
+std::string program_lines(const std::string& text) {
+  std::string lines;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == 'n') {
+      lines += '\n';
+      ++i;
+    } else {
+      lines += text[i];
+    }
+  }
+  return lines;
+}
 
 bool names_program(const std::string& path) {
-  for (const char* ending : {".ngc", ".nc", ".gcode", ".gc", ".tap", ".cnc"}) {
-    if (has_suffix(path, ending)) return true;
-  }
-  return false;
+  return format_of_name(path) == OutputFormat::program;
 }
 
 void add_program(CLI::App& verb, ProgramOptions& options) {
@@ -171,9 +166,17 @@ void add_program(CLI::App& verb, ProgramOptions& options) {
                        {"r", ArcForm::radius}},
                       "Programs: arcs by ij, by r or as they were: keep "
                       "[keep]");
-  add_choice<std::optional<bool>>(
-      verb, "--units", options.write.inches, {{"mm", false}, {"inch", true}},
-      "Programs: motions in mm or inch, else as they were");
+  const auto set_unit = [&options](const std::string& word) {
+    if (word != "mm" && word != "inch") {
+      throw CLI::ValidationError("--units",
+                                 fmt::format("'{}' is not mm or inch", word));
+    }
+    options.write.inches = word == "inch";
+  };
+  verb.add_option_function<std::string>(
+          "--units", set_unit,
+          "Programs: motions in mm or inch, else as they were")
+      ->type_name("WORD");
   verb.add_option("--decimals", options.write.decimals,
                   "Programs: of positions, else all they have")
       ->check(CLI::Range(0, 7))
@@ -191,7 +194,8 @@ void add_program(CLI::App& verb, ProgramOptions& options) {
   const auto add_lines_option = [&verb](const char* name, std::string& lines,
                                         const char* help) {
     verb.add_option_function<std::string>(
-            name, [&lines](const std::string& text) { lines = lines_of(text); },
+            name,
+            [&lines](const std::string& text) { lines = program_lines(text); },
             help)
         ->type_name("TEXT");
   };
@@ -215,7 +219,13 @@ ExitCode convert_program(const ProgramFiles& files,
   if (!free) return report_error(output_name(files.output), free.error());
   const auto bytes = read_file(files.input, options.read.limits.max_bytes);
   if (!bytes) return report_error(name, bytes.error());
-  const Result<Converted> made = convert_text(*bytes, options, lines);
+  const std::string_view text(reinterpret_cast<const char*>(bytes->data()),
+                              bytes->size());
+  Result<Program> program = read_gcode(text, options.read);
+  if (!program) return report_error(name, program.error());
+  const std::vector<std::string> notes = program->notes;
+  const Result<WrittenProgram> made =
+      write_program(*std::move(program), options, lines);
   if (!made) return report_error(name, made.error());
   const std::span<const std::uint8_t> out(
       reinterpret_cast<const std::uint8_t*>(made->text.data()),
@@ -223,7 +233,7 @@ ExitCode convert_program(const ProgramFiles& files,
   const Status written = write_file(files.output, out, files.force);
   if (!written) return report_error(output_name(files.output), written.error());
   if (files.quiet) return ExitCode::ok;
-  for (const std::string& note : made->notes) report_warning(name, note);
+  for (const std::string& note : notes) report_warning(name, note);
   fmt::print(files.output == "-" ? stderr : stdout, "{} -> {}: {}, {} -> {}\n",
              name, output_name(files.output), made->summary,
              counted(bytes->size(), "byte"), grouped(made->text.size()));

@@ -7,6 +7,7 @@
 #include "cli/exit_code.h"
 #include "cli/options.h"
 #include "unstep/program.h"
+#include "unstep/result.h"
 
 namespace CLI {
 class App;
@@ -24,9 +25,27 @@ struct ProgramOptions {
 /// True for names that end in .ngc, .nc, .gcode, .gc, .tap or .cnc.
 [[nodiscard]] bool names_program(const std::string& path);
 
+/// The text of an option with its "\n" as new lines.
+[[nodiscard]] std::string program_lines(const std::string& text);
+
 /// --profile, --units, --decimals, --arc-words, --quadrants, --strict,
 /// --block-delete, --header, --footer and --dense.
 void add_program(CLI::App& verb, ProgramOptions& options);
+
+/// --tolerance of a program in mm, never more. invalid_argument for pixels.
+Result<Rational> program_tolerance(const LineOptions& lines);
+
+/// A program as text, and what was done to it.
+struct WrittenProgram {
+  std::string text;
+  std::string summary;
+};
+
+/// Shortens the program if the lines have a tolerance, writes it, reads what
+/// it wrote and compares the motions.
+Result<WrittenProgram> write_program(Program program,
+                                     const ProgramOptions& options,
+                                     const LineOptions& lines);
 
 struct ProgramFiles {
   std::string input;
@@ -35,8 +54,7 @@ struct ProgramFiles {
   bool quiet = false;
 };
 
-/// Reads a program, shortens it if the lines have a tolerance, reads what it
-/// wrote of it and compares the motions, and only then gives it its name.
+/// Reads a program and gives it its new name once write_program has proven it.
 ExitCode convert_program(const ProgramFiles& files,
                          const ProgramOptions& options,
                          const LineOptions& lines);

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include "cli/centreline.h"
+#include "unstep/codec.h"
 #include "unstep/deviation.h"
 #include "unstep/interpolate.h"
 #include "unstep/program.h"
@@ -39,19 +42,80 @@ Result<Rational> fraction_below(double value) {
   return Rational{numerator / common, kParts / common};
 }
 
+/// Bytes of a file of this page alone.
+template <class Content>
+std::size_t file_size(const Content& content, const Fidelity* fidelity,
+                      Effort effort) {
+  EncodeOptions options;
+  options.verify = false;
+  options.effort = effort;
+  UstpWriter writer(options);
+  Status added;
+  if constexpr (std::is_same_v<Content, Drawing>) {
+    added = writer.add_page(content, {}, fidelity ? *fidelity : Fidelity{});
+  } else {
+    added = writer.add_page(content, {});
+  }
+  if (!added) return std::numeric_limits<std::size_t>::max();
+  const auto bytes = writer.finish();
+  return bytes ? bytes->size() : std::numeric_limits<std::size_t>::max();
+}
+
+/// Drawings of more elements are not encoded just to be compared.
+constexpr std::size_t kFewElements = 3'000;
+
+std::size_t count_elements(const Drawing& drawing) {
+  std::size_t count = 0;
+  for (const Path& path : drawing.paths) count += path.elements.size();
+  return count;
+}
+
+/// Lines for a .ustp file: whichever is smaller with or without arcs.
+Result<Drawing> cheapest_lines(const Drawing& chains,
+                               ToleranceOptions options) {
+  options.aim = LineAim::few_bytes;
+  Result<Drawing> best = reverse_tolerance(chains, options);
+  if (!best || !options.arcs || count_elements(*best) > kFewElements) {
+    return best;
+  }
+  options.arcs = false;
+  Result<Drawing> lines = reverse_tolerance(chains, options);
+  if (!lines) return lines;
+  const Fidelity fidelity{Fidelity::Kind::tolerance, options.tolerance};
+  return file_size(*lines, &fidelity, options.effort) <
+                 file_size(*best, &fidelity, options.effort)
+             ? lines
+             : best;
+}
+
+/// Whether the steps themselves are cheaper than their lines, as they are for
+/// small drawings and for noise.
+bool exact_is_smaller(const Page& page, const Drawing& paths,
+                      const Fidelity& fidelity, Effort effort) {
+  const std::size_t lines = file_size(paths, &fidelity, effort);
+  return page.kind == PageKind::ink
+             ? file_size(page.ink, nullptr, effort) <= lines
+             : file_size(page.drawing, nullptr, effort) <= lines;
+}
+
 Result<Page> by_tolerance(Page page, const Rational& tolerance, bool arcs,
-                          Effort effort) {
+                          Effort effort, LineAim aim) {
   Result<Drawing> chains = chains_of(page);
   if (!chains) return chains.error();
-  Result<Drawing> paths = reverse_tolerance(*chains, {tolerance, effort, arcs});
+  const ToleranceOptions options{tolerance, effort, arcs};
+  const bool cheap = aim == LineAim::few_bytes && effort != Effort::fast;
+  Result<Drawing> paths = cheap ? cheapest_lines(*chains, options)
+                                : reverse_tolerance(*chains, options);
   if (!paths) return paths.error();
+  const Fidelity fidelity{Fidelity::Kind::tolerance, tolerance};
+  if (cheap && exact_is_smaller(page, *paths, fidelity, effort)) return page;
   const Status within = check_deviation(*chains, *paths, tolerance);
   if (!within) {
     return Error{ErrorCode::internal,
                  "the lines break the bound: " + within.error().message};
   }
   page.kind = PageKind::paths;
-  page.fidelity = {Fidelity::Kind::tolerance, tolerance};
+  page.fidelity = fidelity;
   page.drawing = *std::move(paths);
   page.ink = Bitmap();
   return page;
@@ -279,7 +343,8 @@ Result<Drawing> chains_of(const Page& page) {
   return drawing;
 }
 
-Result<Page> to_lines(Page page, const LineOptions& options, Effort effort) {
+Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
+                      LineAim aim) {
   if (page.kind == PageKind::ink &&
       options.trace != LineOptions::Trace::contour) {
     return to_strokes(std::move(page), options, effort);
@@ -294,7 +359,7 @@ Result<Page> to_lines(Page page, const LineOptions& options, Effort effort) {
   const Result<Rational> tolerance =
       to_tolerance(options.tolerance, page.info.resolution);
   if (!tolerance) return tolerance.error();
-  return by_tolerance(std::move(page), *tolerance, options.arcs, effort);
+  return by_tolerance(std::move(page), *tolerance, options.arcs, effort, aim);
 }
 
 Status order_page(Page& page, std::vector<std::string>& notes) {
@@ -345,6 +410,21 @@ Result<Page> to_steps(Page page, const Quantity& grid,
     }
   }
   return page;
+}
+
+Result<Page> draw_program_page(const Page& page,
+                               std::vector<std::string>& notes) {
+  const Result<Program> program = read_gcode(page.program, {});
+  if (!program) return program.error();
+  Result<Drawing> drawing = program_drawing(*program, &notes);
+  if (!drawing) return drawing.error();
+  Page out;
+  out.kind = PageKind::paths;
+  out.info = page.info;
+  // A grid unit is a millimetre.
+  out.info.resolution = {{10, 1}, {10, 1}, Resolution::Unit::centimetre};
+  out.drawing = *std::move(drawing);
+  return out;
 }
 
 Result<Drawing> device_chains(const Drawing& paths) {

@@ -10,6 +10,7 @@
 #include "unstep/codec.h"
 #include "unstep/grid.h"
 #include "unstep/result.h"
+#include "unstep/reverse.h"
 
 /// Pages of one kind become pages of another.
 namespace unstep::cli {
@@ -27,8 +28,10 @@ Result<Drawing> chains_of(const Page& page);
 /// bound of the method before they are given back; `internal` if they break it.
 /// Ink becomes strokes if the options ask for centrelines (centreline.h).
 /// Pages of paths stay as they are; method none leaves chains alone, and ink
-/// whose contours are asked for.
-Result<Page> to_lines(Page page, const LineOptions& options, Effort effort);
+/// whose contours are asked for. With the aim of few bytes a page whose lines
+/// would be no smaller in a .ustp file than what it is stays that, too.
+Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
+                      LineAim aim);
 
 /// Orders what a page of chains or paths draws for short travel; the note says
 /// how long it is before and after, in metres if the resolution is known.
@@ -42,6 +45,10 @@ Result<Page> to_steps(Page page, const Quantity& grid, std::uint64_t max_steps);
 /// The ink of any page. Notes say what had to be decided.
 Result<Bitmap> to_ink(const Page& page, const DecodeLimits& limits,
                       std::vector<std::string>& notes);
+
+/// A page of a program as what the program draws.
+Result<Page> draw_program_page(const Page& page,
+                               std::vector<std::string>& notes);
 
 /// The chains that the segments of a page of Fidelity::Kind::device draw.
 Result<Drawing> device_chains(const Drawing& paths);

@@ -16,22 +16,26 @@
 #include "cli/exit_code.h"
 #include "cli/message.h"
 #include "cli/options.h"
+#include "cli/source.h"
 #include "cli/verbs.h"
 
 namespace unstep::cli {
 namespace {
 
 struct Request {
+  std::string file;  // empty or "-": standard input
   std::string method = "device";
   std::string input = "freeman";
   int connectivity = 0;  // 0: not given
   bool table = false;
+  PulseReadOptions decoding;
 };
 
 constexpr const char* kExamples =
     "  unstep reverse < steps.txt                      'DX DY' per segment\n"
     "  echo 02002002000 | unstep reverse --table       the registers too\n"
     "  unstep interpolate 70 30 | unstep reverse\n"
+    "  unstep reverse recording.vcd --channels A,B     encoder pulses\n"
     "  unstep reverse --method exact < steps.txt       'S0 S1 N A W R' per "
     "segment\n"
     "\n"
@@ -39,6 +43,10 @@ constexpr const char* kExamples =
     "1 (north-east), 2 (north) to 7; device and gate-level refuse diagonal\n"
     "steps. Segments of exact give back every step: step i of N is S1 if\n"
     "(A (i + 1) + R) / W, rounded down, exceeds (A i + R) / W, else S0.\n";
+
+bool takes_file(const Request& request) {
+  return !request.file.empty() && request.file != "-";
+}
 
 ExitCode refuse(ErrorCode code, const std::string& reason) {
   return report_error("standard input", {code, reason});
@@ -105,6 +113,44 @@ class StepReader {
   std::string problem_;
 };
 
+/// The one chain of a file: Freeman text, or a recording of encoders.
+Result<Chain> read_chain(const Request& request) {
+  InputOptions options;
+  options.decoding = request.decoding;
+  Result<Source> source = Source::open(request.file, options);
+  if (!source) return source.error();
+  Result<SourcePage> page = source->read(0);
+  if (!page) return page.error();
+  for (const std::string& note : page->notes) {
+    report_warning(request.file, note);
+  }
+  std::vector<Chain>& chains = page->page.drawing.chains;
+  if (chains.size() != 1 || source->page_count() != 1) {
+    return Error{ErrorCode::unsupported,
+                 fmt::format("holds {} chains on {} pages; reverse takes one",
+                             chains.size(), source->page_count())};
+  }
+  return std::move(chains[0]);
+}
+
+/// A file is checked as a whole before anything is printed.
+template <class Use>
+ExitCode read_file_steps(StepReader reader, const Request& request, Use use) {
+  const Result<Chain> chain = read_chain(request);
+  if (!chain) return report_error(request.file, chain.error());
+  for (const Step code : chain->steps) {
+    Step step = 0;
+    if (reader.take(code, step) == StepReader::Got::error) {
+      return report_error(request.file, {ErrorCode::corrupt, reader.problem()});
+    }
+  }
+  if (chain->steps.empty()) {
+    return report_error(request.file, {ErrorCode::corrupt, "holds no steps"});
+  }
+  for (const Step step : chain->steps) use(step);
+  return ExitCode::ok;
+}
+
 /// Feeds every step of standard input to `use` as it comes; `idle` runs before
 /// every read that may wait.
 template <class Use, class Idle>
@@ -145,7 +191,14 @@ void print_row(Step step, const GateNet& net) {
 /// whole before anything is printed; a stream's segments are out before the
 /// stream can turn bad.
 template <class Use, class Finish>
-ExitCode run(const StepReader& reader, Use use, Finish finish) {
+ExitCode run(const StepReader& reader, const Request& request, Use use,
+             Finish finish) {
+  if (takes_file(request)) {
+    const ExitCode code = read_file_steps(reader, request, use);
+    if (code != ExitCode::ok) return code;
+    finish();
+    return std::fflush(stdout) == 0 ? ExitCode::ok : cannot_write();
+  }
   struct stat status {};
   const bool file =
       fstat(STDIN_FILENO, &status) == 0 && S_ISREG(status.st_mode);
@@ -169,7 +222,7 @@ ExitCode run(const StepReader& reader, Use use, Finish finish) {
 
 template <class Device>
 ExitCode run_device(const Request& request) {
-  const StepReader reader(request.input == "freeman",
+  const StepReader reader(!takes_file(request) && request.input == "freeman",
                           "a diagonal step; the device takes 0, 2, 4 and 6");
   BasicDeviceReverse<Device> device;
   const char* prefix = request.table ? "segment " : "";
@@ -187,7 +240,7 @@ ExitCode run_device(const Request& request) {
     if (request.table) print_row(step, device.device());
     if (pushed == Pushed::segment && !before) print_segment(closed);
   };
-  return run(reader, use, [&] {
+  return run(reader, request, use, [&] {
     Segment last;
     if (device.finish(last)) print_segment(last);
   });
@@ -196,7 +249,7 @@ ExitCode run_device(const Request& request) {
 ExitCode run_exact(const Request& request) {
   const bool four = request.connectivity == 4;
   const StepReader reader(
-      request.input == "freeman",
+      !takes_file(request) && request.input == "freeman",
       four ? "a diagonal step; 4-connected chains have 0, 2, 4 and 6"
            : nullptr);
   ExactReverse exact(four ? Connectivity::four : Connectivity::eight);
@@ -211,7 +264,7 @@ ExitCode run_exact(const Request& request) {
     fmt::print("{} ", step);
     print("", exact.open());
   };
-  return run(reader, use, [&] {
+  return run(reader, request, use, [&] {
     DigitalSegment last;
     if (exact.finish(last)) print(prefix, last);
   });
@@ -244,8 +297,12 @@ ExitCode reverse_verb(const Request& request) {
 
 void add_reverse(CLI::App& app, Context& context) {
   auto request = std::make_shared<Request>();
-  CLI::App* verb = app.add_subcommand(
-      "reverse", "Turn unit steps from standard input into segments");
+  CLI::App* verb =
+      app.add_subcommand("reverse", "Turn unit steps into segments");
+  verb->add_option("IN", request->file,
+                   "A file of one chain: Freeman text, or a recording of "
+                   "encoders (.csv, .vcd, .sr) [steps from standard input]")
+      ->type_name("");
   verb->add_option("--method", request->method,
                    "device (SU 1089551), gate-level, the same as a net, or "
                    "exact: the longest digital straight segments [device]")
@@ -261,6 +318,7 @@ void add_reverse(CLI::App& app, Context& context) {
   verb->add_flag("--table", request->table,
                  "A row per step: step X Y F, and 'segment DX DY' lines; "
                  "exact: step S0 S1 N A W R");
+  add_decoding(*verb, request->decoding);
   finish_verb(*verb, kExamples);
   verb->callback([request, &context] {
     context.run = [request] { return reverse_verb(*request); };

@@ -21,10 +21,11 @@ struct SourcePage {
   Page page;
   bool lossless = true;
   std::vector<std::string> notes;
+  std::vector<std::string> work;  ///< RasterPage
 };
 
 /// Raster image, vector drawing, Freeman text or .ustp, recognised by content
-/// unless the options say.
+/// unless the options say; a program of a machine by its name.
 class Source {
  public:
   /// `path` "-" is standard input. Errors do not repeat the path.
@@ -55,6 +56,9 @@ class Source {
   static Result<Source> open_vector(const std::vector<std::uint8_t>& file,
                                     VectorFormat format,
                                     const InputOptions& options);
+  static Result<Source> open_pulses(const std::vector<std::uint8_t>& file,
+                                    PulseFormat format,
+                                    const InputOptions& options);
   static Result<Source> recognise(const std::string& path,
                                   std::vector<std::uint8_t> file,
                                   const InputOptions& options);
@@ -64,6 +68,7 @@ class Source {
   std::uint32_t crc32_ = 0;
   std::optional<RasterReader> raster_;
   std::vector<VectorPage> vectors_;
+  std::optional<std::string> program_;
   std::optional<Quantity> grid_;
   std::uint64_t max_steps_ = 0;
   // The reader looks into the bytes, which therefore must not move.

@@ -11,13 +11,14 @@
 namespace unstep::cli {
 namespace {
 
-enum class Nature : std::uint8_t { ink, chains, paths };
+enum class Nature : std::uint8_t { ink, chains, paths, program };
 
 /// What a page is to its user: outlines within a tolerance stand for the ink
 /// that they were made from.
 Nature nature_of(const PageEntry& page) {
   if (page.kind == PageKind::ink) return Nature::ink;
   if (page.kind == PageKind::chains) return Nature::chains;
+  if (page.kind == PageKind::program) return Nature::program;
   const bool outlines = page.paint == Paint::fill && page.canvas.width > 0 &&
                         page.fidelity.kind != Fidelity::Kind::exact;
   return outlines ? Nature::ink : Nature::paths;
@@ -38,6 +39,7 @@ Result<OutputFormat> natural_format(const FileInfo& info,
   }
   if (first == Nature::chains) return OutputFormat::freeman;
   if (first == Nature::paths) return OutputFormat::svg;
+  if (first == Nature::program) return OutputFormat::program;
   return pages.size() == 1 ? OutputFormat::png : OutputFormat::tiff;
 }
 
@@ -45,6 +47,12 @@ Status check_kinds(const FileInfo& info, const std::vector<std::size_t>& pages,
                    OutputFormat format) {
   for (const std::size_t index : pages) {
     const PageEntry& page = info.pages[index];
+    if (format == OutputFormat::program && page.kind != PageKind::program) {
+      return Error{ErrorCode::unsupported,
+                   fmt::format("page {} is a drawing; unstep convert makes "
+                               "programs of drawings",
+                               index + 1)};
+    }
     if (format != OutputFormat::freeman || page.kind != PageKind::paths ||
         page.fidelity.kind == Fidelity::Kind::device) {
       continue;

@@ -27,6 +27,7 @@ void add_verify(CLI::App& app, Context& context);
 void add_info(CLI::App& app, Context& context);
 void add_batch(CLI::App& app, Context& context);
 void add_interpolate(CLI::App& app, Context& context);
+void add_steps(CLI::App& app, Context& context);
 void add_reverse(CLI::App& app, Context& context);
 
 }  // namespace unstep::cli

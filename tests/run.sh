@@ -50,7 +50,7 @@ if [ ${#presets[@]} -eq 0 ]; then presets=(asan-ubsan dev); fi
 if [ $install = yes ]; then
   # Lists of words, from needs.sh.
   # shellcheck disable=SC2086,SC2154
-  install_missing $needs_build $needs_tests $needs_clients $needs_demo
+  install_missing $needs_build $needs_tests $needs_clients $needs_firmware $needs_demo
 fi
 
 # The tests that run in a preset by default; all but slow in those not named.

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "unstep/bitmap.h"
@@ -29,6 +31,7 @@ inline constexpr std::uint8_t kCoderContours = 1;  ///< contours, mixed models
 inline constexpr std::uint8_t kCoderShapes = 2;    ///< shapes that repeat
 inline constexpr std::uint8_t kCoderChains = 16;   ///< chains, mixed models
 inline constexpr std::uint8_t kCoderPaths = 24;    ///< paths, mixed models
+inline constexpr std::uint8_t kCoderProgram = 28;  ///< programs, mixed models
 
 struct EncodedBlock {
   CoderName name;
@@ -83,5 +86,18 @@ Result<std::vector<Path>> decode_paths(const CoderName& name,
                                        std::uint64_t count,
                                        std::uint64_t elements,
                                        const BlockProgress& progress);
+
+/// Encodes the lines of a program in the form that write_gcode gives it.
+/// invalid_argument if the last line does not end with a newline.
+Result<EncodedBlock> encode_program(std::string_view text,
+                                    const BlockProgress& progress);
+
+/// Decodes exactly `lines` lines of `bytes` bytes in all, ends of lines
+/// included; both were checked against the limits by the caller. Every payload
+/// byte must be consumed.
+Result<std::string> decode_program(const CoderName& name,
+                                   std::span<const std::uint8_t> payload,
+                                   std::uint64_t lines, std::uint64_t bytes,
+                                   const BlockProgress& progress);
 
 }  // namespace unstep::codec

@@ -235,6 +235,7 @@ class BlockFormParser {
     if (in.varint("the index", kAnyNumber) != block_starts_[p][b]) return false;
     const Box box = read_box(in);
     if (page.kind == PageKind::ink) return box == block.box;
+    if (page.kind == PageKind::program && box != Box{}) return false;
     parsed_.proofs[p][b].box = box;
     block.box = box;
     return true;

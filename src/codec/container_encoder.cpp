@@ -14,7 +14,9 @@ namespace {
 
 std::uint8_t kind_flags(const PageParts& page) {
   if (page.kind == PageKind::ink) return kInkKind;
-  if (page.kind == PageKind::paths) return kPathsKind;
+  if (page.kind == PageKind::paths || page.kind == PageKind::program) {
+    return kPathsKind;
+  }
   return page.canvas.y_axis == YAxis::up ? kChainsUpKind : kChainsKind;
 }
 
@@ -22,6 +24,7 @@ void put_path_head(const PageParts& page, ByteWriter& out) {
   const bool tolerance = page.fidelity.kind == Fidelity::Kind::tolerance;
   const Rational& e = page.fidelity.tolerance;
   auto flags = static_cast<std::uint8_t>(page.fidelity.kind);
+  if (page.kind == PageKind::program) flags |= kProgramFlag;
   if (page.canvas.y_axis == YAxis::up) flags |= kPathsUpFlag;
   if (page.paint == Paint::stroke) flags |= kStrokeFlag;
   if (page.scale != 1) flags |= kScaleFlag;
@@ -38,6 +41,11 @@ std::uint64_t put_counts(const PageParts& page, const BlockParts& block,
   if (page.kind == PageKind::ink) {
     return row_bytes(page.canvas.width) *
            static_cast<std::uint64_t>(block.rows);
+  }
+  if (page.kind == PageKind::program) {
+    out.varint(block.lines);
+    out.varint(block.text_bytes);
+    return block.text_bytes;
   }
   const bool chains = page.kind == PageKind::chains;
   out.varint(chains ? block.chains : block.paths);
@@ -79,7 +87,7 @@ void put_page_head(const PageParts& page, std::uint8_t other_flags,
   out.varint(static_cast<std::uint64_t>(page.canvas.width));
   out.varint(static_cast<std::uint64_t>(page.canvas.height));
   if (resolution) put_resolution(page.info.resolution, out);
-  if (page.kind == PageKind::paths) put_path_head(page, out);
+  if (kind_flags(page) == kPathsKind) put_path_head(page, out);
 }
 
 /// Type, length, content, CRC of all three.
@@ -142,6 +150,12 @@ Status check_canvas(PageKind kind, const Canvas& canvas) {
 }
 
 Status check_path_head(const PageParts& page) {
+  if (page.kind == PageKind::program &&
+      (page.canvas != Canvas{} || page.info.resolution != Resolution{} ||
+       page.fidelity.kind == Fidelity::Kind::device)) {
+    return Error{ErrorCode::invalid_argument,
+                 "a program has no canvas, no resolution and no device"};
+  }
   if (page.fidelity.kind > Fidelity::Kind::device ||
       page.fidelity.tolerance.denominator == 0) {
     return Error{ErrorCode::invalid_argument,

@@ -21,7 +21,9 @@ struct BlockParts {
   std::int32_t rows = 0;
   std::uint64_t chains = 0;  ///< chains
   std::uint64_t steps = 0;
-  std::uint64_t paths = 0;  ///< paths
+  std::uint64_t paths = 0;       ///< paths
+  std::uint64_t lines = 0;       ///< program
+  std::uint64_t text_bytes = 0;  ///< program
   std::uint64_t elements = 0;
 };
 

@@ -72,7 +72,13 @@ void read_path_head(ByteReader& in, PageEntry& page) {
   page.fidelity.kind = static_cast<Fidelity::Kind>(kind);
   const bool tolerance = page.fidelity.kind == Fidelity::Kind::tolerance;
   const bool whole = (flags & kDenominatorFlag) == 0;
-  if ((flags & ~kPathHeadMask) != 0 || (!tolerance && !whole)) {
+  const bool program = (flags & kProgramFlag) != 0;
+  if (program) page.kind = PageKind::program;
+  if ((flags & ~(program ? kProgramHeadMask : kPathHeadMask)) != 0 ||
+      (program &&
+       (kind == static_cast<unsigned>(Fidelity::Kind::device) ||
+        page.canvas.width != 0 || page.info.resolution != Resolution{})) ||
+      (!tolerance && !whole)) {
     in.fail(ErrorCode::corrupt, start, "unknown flags of paths");
   }
   if ((flags & kPathsUpFlag) != 0) page.canvas.y_axis = YAxis::up;
@@ -140,6 +146,11 @@ std::uint64_t read_counts(ByteReader& in, PageKind kind,
     block.paths = in.varint("the number of paths", kMaxCount);
     block.elements = in.varint("the number of elements", kMaxCount);
     return path_bytes(block.paths, block.elements);
+  }
+  if (kind == PageKind::program) {
+    block.lines = in.varint("the number of lines", kMaxCount);
+    block.text_bytes = in.varint("the number of bytes", kMaxCount);
+    return block.text_bytes;
   }
   return 0;
 }

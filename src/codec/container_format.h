@@ -35,7 +35,10 @@ inline constexpr std::uint8_t kPathsUpFlag = 0x04;
 inline constexpr std::uint8_t kStrokeFlag = 0x08;
 inline constexpr std::uint8_t kScaleFlag = 0x10;
 inline constexpr std::uint8_t kDenominatorFlag = 0x20;
+inline constexpr std::uint8_t kProgramFlag = 0x40;  ///< no paths: a program
 inline constexpr std::uint8_t kPathHeadMask = 0x3f;
+inline constexpr std::uint8_t kProgramHeadMask =
+    kFidelityMask | kDenominatorFlag | kProgramFlag;
 
 /// Block types. A set optional bit lets a reader that does not know the type
 /// skip the block.

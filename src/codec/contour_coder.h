@@ -15,8 +15,10 @@ class ArithmeticEncoder;
 namespace unstep::codec {
 
 class StartModel;
-template <std::size_t kCount>
-class MixedTurnModel;
+class TurnModel;
+namespace warm {
+struct Table;
+}
 
 /// The models of turns, by effort; they are the revisions of coder 1.
 inline constexpr std::uint8_t kContourStandard = 0;
@@ -71,12 +73,13 @@ Status code_contours(entropy::ArithmeticDecoder& coder, Bitmap& ink,
                      std::int32_t first_row, std::int32_t rows,
                      std::uint8_t revision, const BlockProgress& progress);
 
-/// For training a warm start: encodes with the standard model and tables of at
-/// least 2^16 slots, and shows the models as they are at the end.
-inline constexpr int kTrainingBits = 19;
-using ModelVisitor = std::function<void(const MixedTurnModel<12>& turns,
-                                        const StartModel& starts)>;
+/// For training a warm start: encodes from `start` with the standard model and
+/// tables of at least 2^16 slots, and shows the models as they are at the end.
+inline constexpr int kTrainingBits = 17;
+using ModelVisitor =
+    std::function<void(const TurnModel& turns, const StartModel& starts)>;
 Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
+                                                  const warm::Table& start,
                                                   const ModelVisitor& visit);
 
 Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,

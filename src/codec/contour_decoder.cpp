@@ -11,10 +11,10 @@ namespace unstep::codec {
 std::uint64_t contour_memory(std::uint8_t revision, std::int32_t width,
                              std::int32_t rows) {
   const int bits = contour_table_bits(revision, width, rows);
-  const std::uint64_t model =
-      revision == kContourMax    ? MaxTurnModel::memory(bits)
-      : revision == kContourFast ? FastTurnModel::memory(bits)
-                                 : TurnModel::memory(bits);
+  const std::uint64_t model = revision == kContourMax ? TurnModel::memory(bits)
+                              : revision == kContourFast
+                                  ? FastTurnModel::memory(bits)
+                                  : TurnModel::memory(bits);
   return CrackMap::memory(width, rows) + model + (1 << 20);
 }
 
@@ -52,7 +52,8 @@ Status decode_with(entropy::ArithmeticDecoder& coder, std::int32_t width,
                    std::int32_t rows, int table_bits,
                    const BlockProgress& progress, Sink sink) {
   DecoderSide<Sink> side(coder, std::move(sink));
-  ContourScan<DecoderSide<Sink>, Turns> scan(side, width, rows, table_bits);
+  ContourScan<DecoderSide<Sink>, Turns> scan(side, width, rows, table_bits,
+                                             warm::table_for(width, rows));
   return scan.run(progress);
 }
 
@@ -63,8 +64,8 @@ Status decode_part(entropy::ArithmeticDecoder& coder, std::int32_t width,
   const int bits = contour_table_bits(revision, width, rows);
   switch (revision) {
     case kContourMax:
-      return decode_with<MaxTurnModel>(coder, width, rows, bits, progress,
-                                       std::move(sink));
+      return decode_with<TurnModel>(coder, width, rows, bits, progress,
+                                    std::move(sink));
     case kContourFast:
       return decode_with<FastTurnModel>(coder, width, rows, bits, progress,
                                         std::move(sink));

@@ -61,7 +61,8 @@ Status encode_with(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
                    std::int32_t first_row, std::int32_t rows, int table_bits,
                    const BlockProgress& progress) {
   EncoderSide side(coder, ink, first_row, rows);
-  ContourScan<EncoderSide, Turns> scan(side, ink.width(), rows, table_bits);
+  ContourScan<EncoderSide, Turns> scan(side, ink.width(), rows, table_bits,
+                                       warm::table_for(ink.width(), rows));
   return scan.run(progress);
 }
 
@@ -73,8 +74,8 @@ Status code_contours(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
   const int bits = contour_table_bits(revision, ink.width(), rows);
   switch (revision) {
     case kContourMax:
-      return encode_with<MaxTurnModel>(coder, ink, first_row, rows, bits,
-                                       progress);
+      return encode_with<TurnModel>(coder, ink, first_row, rows, bits,
+                                    progress);
     case kContourFast:
       return encode_with<FastTurnModel>(coder, ink, first_row, rows, bits,
                                         progress);
@@ -95,11 +96,12 @@ Result<std::vector<std::uint8_t>> encode_contours(
 }
 
 Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
+                                                  const warm::Table& start,
                                                   const ModelVisitor& visit) {
   entropy::ArithmeticEncoder coder;
   EncoderSide side(coder, ink, 0, ink.height());
   ContourScan<EncoderSide, TurnModel> scan(side, ink.width(), ink.height(),
-                                           kTrainingBits);
+                                           kTrainingBits, start);
   Status status = scan.run({});
   if (!status) return status.error();
   visit(scan.turns(), scan.starts());

@@ -27,11 +27,11 @@ template <class Side, class Turns>
 class ContourScan {
  public:
   ContourScan(Side& side, std::int32_t width, std::int32_t height,
-              int table_bits)
+              int table_bits, const warm::Table& start)
       : side_(side),
         cracks_(width, height),
-        turns_(cracks_, table_bits),
-        starts_(cracks_),
+        turns_(cracks_, table_bits, start),
+        starts_(cracks_, start),
         above_((static_cast<std::size_t>(width) + 63) / 64) {}
 
   Status run(const BlockProgress& progress) {

@@ -60,9 +60,7 @@ class DecisionModel {
   [[nodiscard]] entropy::Counter& counter(std::size_t i, std::uint32_t index) {
     return counters_[(i << table_bits_) + (index >> (16 - table_bits_))];
   }
-  [[nodiscard]] const entropy::Mixer<kInputs, 2>& mixer() const {
-    return mixer_;
-  }
+  [[nodiscard]] entropy::Mixer<kInputs, 2>& mixer() { return mixer_; }
 
  private:
   int table_bits_;

@@ -8,6 +8,7 @@
 #include "codec/context.h"
 #include "codec/crack_map.h"
 #include "codec/patch.h"
+#include "codec/warm_start.h"
 #include "entropy/counter.h"
 #include "entropy/slots.h"
 
@@ -45,7 +46,8 @@ class FastTurnModel {
   /// log2 of the slots of each context: 2 x 256 kB stay in a cache.
   static constexpr int kBits = 15;
 
-  FastTurnModel(const CrackMap& cracks, int /*table_bits*/)
+  FastTurnModel(const CrackMap& cracks, int /*table_bits*/,
+                const warm::Table& /*start*/)
       : cracks_(cracks), turns_(kSize), near_(kSize), runs_(kSize) {}
 
   static std::uint64_t memory(int /*table_bits*/) {

@@ -35,6 +35,10 @@ Error in_block(const PageEntry::Block& block, std::size_t number, Error error) {
   return error;
 }
 
+/// What the coder remembers of each of the last 2^16 lines of a program.
+constexpr std::uint64_t kProgramLineBytes = 320;
+constexpr std::uint64_t kProgramLines = std::uint64_t{1} << 16;
+
 Error mismatch(std::string_view what) {
   return Error{ErrorCode::checksum_mismatch,
                std::string(what) + " differs from what was encoded"};
@@ -262,6 +266,45 @@ Result<std::vector<typename Kind::Item>> PageDecoder::decode_items(
   return all;
 }
 
+/// Whole, whatever the box: a program has no places.
+Result<std::string> PageDecoder::decode_program() const {
+  std::uint64_t bytes = 0;
+  std::uint64_t lines = 0;
+  for (const PageEntry::Block& block : entry_.blocks) {
+    // Both sums are capped long before they could overflow.
+    bytes = std::min(bytes + block.text_bytes, std::uint64_t{1} << 56);
+    lines = std::min(lines + block.lines, std::uint64_t{1} << 56);
+  }
+  if (lines > options_.limits.max_steps) {
+    return too_much("lines", lines, options_.limits.max_steps);
+  }
+  // A string that grows may hold both sizes at once.
+  const std::uint64_t memory =
+      3 * bytes + kProgramLineBytes * std::min(lines, kProgramLines);
+  if (memory > options_.limits.max_memory) {
+    return too_much("bytes of memory", memory, options_.limits.max_memory);
+  }
+  ProgressSum sum(options_.progress, lines);
+  std::string text;
+  for (std::size_t i = 0; i < entry_.blocks.size(); ++i) {
+    const PageEntry::Block& block = entry_.blocks[i];
+    const BlockProgress progress = sum.block();
+    Result<std::string> part =
+        codec::decode_program(coder_name(block), payload(block), block.lines,
+                              block.text_bytes, progress);
+    if (!part) return in_block(block, i, part.error());
+    if (crc_bytes({reinterpret_cast<const std::uint8_t*>(part->data()),
+                   part->size()}) != proofs_[i].checksum) {
+      return in_block(block, i, mismatch("decoded program"));
+    }
+    if (Status more = ProgressSum::complete(progress, block.lines); !more) {
+      return more.error();
+    }
+    text += *part;
+  }
+  return text;
+}
+
 Result<Page> PageDecoder::decode(const std::optional<Box>& box) const {
   Page page;
   page.kind = entry_.kind;
@@ -271,6 +314,12 @@ Result<Page> PageDecoder::decode(const std::optional<Box>& box) const {
     Result<Bitmap> ink = decode_ink(box);
     if (!ink) return ink.error();
     page.ink = *std::move(ink);
+    return page;
+  }
+  if (entry_.kind == PageKind::program) {
+    Result<std::string> text = decode_program();
+    if (!text) return text.error();
+    page.program = *std::move(text);
     return page;
   }
   page.drawing.canvas = entry_.canvas;

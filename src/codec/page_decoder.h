@@ -28,6 +28,7 @@ class PageDecoder {
   using Chosen = std::vector<std::size_t>;  ///< indices of blocks, ascending
 
   [[nodiscard]] Chosen choose(const std::optional<Box>& box) const;
+  Result<std::string> decode_program() const;
   Result<Bitmap> decode_ink(const std::optional<Box>& box) const;
   Result<Bitmap> decode_rows(const Chosen& chosen, std::uint64_t copies) const;
   [[nodiscard]] Status check_ink_limits(std::uint64_t pixels,

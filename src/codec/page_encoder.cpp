@@ -242,6 +242,35 @@ Status encode_ink_page(const Bitmap& ink, const EncodeOptions& options,
   return {};
 }
 
+Status encode_program_page(std::string_view text, const EncodeOptions& options,
+                           PageParts& page) {
+  page.blocks.resize(1);
+  BlockParts& block = page.blocks[0];
+  block.lines =
+      static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n'));
+  block.text_bytes = text.size();
+  block.checksum = page.checksum = crc_bytes(
+      {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  ProgressSum sum(options.progress, block.lines * passes(options));
+  const BlockProgress progress = sum.block();
+  Result<EncodedBlock> encoded = encode_program(text, progress);
+  if (!encoded) return encoded.error();
+  if (Status more = ProgressSum::complete(progress, block.lines); !more) {
+    return more;
+  }
+  block.encoded = *std::move(encoded);
+  if (!options.verify) return {};
+  const BlockProgress again = sum.block();
+  const Result<std::string> decoded =
+      decode_program(block.encoded.name, block.encoded.payload, block.lines,
+                     block.text_bytes, again);
+  if (!decoded) return proof_failed(decoded.error());
+  if (*decoded != text) {
+    return proof_failed({ErrorCode::corrupt, "the program differs"});
+  }
+  return ProgressSum::complete(again, block.lines);
+}
+
 Status encode_drawing_page(const Drawing& drawing, const EncodeOptions& options,
                            PageParts& page) {
   return page.kind == PageKind::paths

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "codec/container_encoder.h"
 #include "unstep/bitmap.h"
 #include "unstep/codec.h"
@@ -15,6 +17,10 @@ Status encode_ink_page(const Bitmap& ink, const EncodeOptions& options,
 
 /// As page.kind says: the chains of `drawing`, or its paths.
 Status encode_drawing_page(const Drawing& drawing, const EncodeOptions& options,
+                           PageParts& page);
+
+/// The text of a program, in one block.
+Status encode_program_page(std::string_view text, const EncodeOptions& options,
                            PageParts& page);
 
 }  // namespace unstep::codec

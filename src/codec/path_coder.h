@@ -21,10 +21,7 @@ struct PathHead {
   std::int64_t turn = 0;
 };
 
-/// log2 of the model's counters per context, a rule of the payload's elements
-/// only, so that it need not be stored.
-[[nodiscard]] constexpr int path_table_bits(std::uint64_t elements) {
-  return elements < 2'000 ? 13 : elements < 20'000 ? 15 : 16;
-}
+/// log2 of the models' counters per context.
+inline constexpr int kPathTableBits = 16;
 
 }  // namespace unstep::codec

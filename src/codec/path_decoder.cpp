@@ -61,7 +61,7 @@ Result<std::vector<Path>> decode_paths(const CoderName& name,
                                        std::uint64_t count,
                                        std::uint64_t elements,
                                        const BlockProgress& progress) {
-  if (name != CoderName{kCoderPaths, kPathRevision, 0}) {
+  if (name != CoderName{kCoderPaths, kPathRevision, path_warm::kTableId}) {
     return Error{ErrorCode::unsupported_version,
                  "path coder " + std::to_string(name.coder) + " revision " +
                      std::to_string(name.revision) + " table " +

@@ -85,7 +85,8 @@ Result<EncodedBlock> encode_paths(std::span<const Path> paths,
   PathScan<EncoderSide> scan(side, paths.size(), survey->elements);
   const Status status = scan.run(progress);
   if (!status) return status.error();
-  return EncodedBlock{{kCoderPaths, kPathRevision, 0}, side.coder().finish()};
+  return EncodedBlock{{kCoderPaths, kPathRevision, path_warm::kTableId},
+                      side.coder().finish()};
 }
 
 }  // namespace unstep::codec

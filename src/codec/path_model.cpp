@@ -2,9 +2,8 @@
 
 namespace unstep::codec {
 
-PathModel::PathModel(std::uint64_t elements)
-    : starts_(path_table_bits(elements)),
-      vectors_(path_table_bits(elements), vertices_) {}
+PathModel::PathModel()
+    : starts_(kPathTableBits), vectors_(kPathTableBits, vertices_) {}
 
 void PathModel::begin(const PathHead& head) {
   head_ = head;

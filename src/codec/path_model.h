@@ -26,7 +26,7 @@ struct PathFrame {
 /// same object in step; everything is integer.
 class PathModel {
  public:
-  explicit PathModel(std::uint64_t elements);
+  PathModel();
 
   /// What holds for all paths of the payload, coded first.
   template <class Coder>

@@ -7,6 +7,7 @@
 #include "codec/path_coder.h"
 #include "codec/path_head_model.h"
 #include "codec/path_model.h"
+#include "codec/path_warm_start.h"
 
 namespace unstep::codec {
 
@@ -26,8 +27,13 @@ namespace unstep::codec {
 template <class Side>
 class PathScan {
  public:
-  PathScan(Side& side, std::uint64_t count, std::uint64_t elements)
-      : side_(side), count_(count), left_(elements), model_(elements) {}
+  PathScan(Side& side, std::uint64_t count, std::uint64_t elements,
+           const path_warm::Table& start = path_warm::kTable)
+      : side_(side), count_(count), left_(elements) {
+    path_warm::apply(start, model_.vectors());
+  }
+
+  [[nodiscard]] PathModel& model() { return model_; }
 
   Status run(const BlockProgress& progress) {
     if (count_ > 0) model_.code_frame(side_.coder(), side_.frame());

@@ -23,7 +23,14 @@ struct PlacedShape;
   return std::int64_t{width} * rows < 1'000'000 ? 14 : 16;
 }
 
-/// Bytes that coding such a block allocates.
+/// The shapes pass for one half of the work, the contours after them for the
+/// other. The results must not outlive `progress`.
+[[nodiscard]] BlockProgress first_half(const BlockProgress& progress);
+[[nodiscard]] BlockProgress second_half(const BlockProgress& progress,
+                                        std::int32_t rows);
+
+/// Bytes that coding such a block allocates beside what is remembered of
+/// shapes, which is counted as they come.
 [[nodiscard]] std::uint64_t shape_memory(std::uint8_t revision,
                                          std::int32_t width, std::int32_t rows);
 

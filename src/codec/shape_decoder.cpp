@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include "codec/contour_coder.h"
@@ -36,10 +37,22 @@ class DecoderSide {
 
 std::uint64_t shape_memory(std::uint8_t revision, std::int32_t width,
                            std::int32_t rows) {
-  const std::uint64_t models =
-      ShapeScan<DecoderSide>::memory(shape_table_bits(width, rows));
-  const std::uint64_t shapes = shape_room(width, rows) * 8;
-  return models + shapes + contour_memory(revision, width, rows);
+  // One part is over when the other begins.
+  return std::max(ShapeScan<DecoderSide>::memory(shape_table_bits(width, rows)),
+                  contour_memory(revision, width, rows));
+}
+
+BlockProgress first_half(const BlockProgress& progress) {
+  if (!progress) return {};
+  return [&progress](std::uint64_t done) { return progress(done / 2); };
+}
+
+BlockProgress second_half(const BlockProgress& progress, std::int32_t rows) {
+  if (!progress) return {};
+  const auto all = static_cast<std::uint64_t>(rows);
+  return [&progress, all](std::uint64_t done) {
+    return progress(all / 2 + done / 2);
+  };
 }
 
 Status decode_shapes(std::span<const std::uint8_t> payload, Bitmap& ink,
@@ -57,14 +70,16 @@ Status decode_shapes(std::span<const std::uint8_t> payload, Bitmap& ink,
   entropy::ArithmeticDecoder coder(payload);
   {
     DecoderSide side(coder, ink, first_row);
-    ShapeScan<DecoderSide> scan(side, ink.width(), rows,
-                                shape_table_bits(ink.width(), rows));
-    if (!scan.run()) {
-      return Error{ErrorCode::corrupt, "shape payload is damaged"};
+    const int bits = shape_table_bits(ink.width(), rows);
+    ShapeScan<DecoderSide> scan(
+        side, ink.width(), rows, bits,
+        limits.max_memory - ShapeScan<DecoderSide>::memory(bits));
+    if (Status told = scan.run(first_half(progress)); !told) {
+      return told.error();
     }
   }
-  Status status =
-      code_contours(coder, ink, first_row, rows, revision, progress);
+  Status status = code_contours(coder, ink, first_row, rows, revision,
+                                second_half(progress, rows));
   if (!status) return status;
   if (!coder.finished()) {
     return Error{ErrorCode::corrupt,

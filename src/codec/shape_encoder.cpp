@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "codec/contour_coder.h"
@@ -64,10 +65,14 @@ Result<std::vector<std::uint8_t>> encode_shapes(
   {
     EncoderSide side(coder, shapes, *rest);
     ShapeScan<EncoderSide> scan(side, ink.width(), rows,
-                                shape_table_bits(ink.width(), rows));
-    scan.run();
+                                shape_table_bits(ink.width(), rows),
+                                std::numeric_limits<std::uint64_t>::max());
+    if (Status told = scan.run(first_half(progress)); !told) {
+      return told.error();
+    }
   }
-  Status status = code_contours(coder, *rest, 0, rows, revision, progress);
+  Status status = code_contours(coder, *rest, 0, rows, revision,
+                                second_half(progress, rows));
   if (!status) return status.error();
   return coder.finish();
 }

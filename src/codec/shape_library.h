@@ -23,6 +23,19 @@ class ShapeLibrary {
     std::uint32_t klass = 0;
   };
 
+  /// Bytes that remembering a shape takes at most: thrice (for vectors that
+  /// grow) an entry, a class and what the owner keeps of the class; the ids of
+  /// a class of one and the pixels, with what an allocator adds to either.
+  static constexpr std::uint64_t kSmallest =
+      3 * (sizeof(Entry) + sizeof(std::vector<std::uint32_t>) +
+           sizeof(std::int32_t)) +
+      2 * 32;
+  static std::uint64_t memory(const Glyph& glyph) {
+    return kSmallest + glyph.words.size() * sizeof(std::uint64_t);
+  }
+  static constexpr std::uint64_t kLargest =
+      kSmallest + kMaxShapeSide * ((kMaxShapeSide + 63) / 64) * 8;
+
   [[nodiscard]] std::size_t classes() const { return classes_.size(); }
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
   [[nodiscard]] const Entry& entry(std::uint32_t id) const {

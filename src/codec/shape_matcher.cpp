@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
 #include "codec/shape_finder.h"
+#include "codec/shape_library.h"
 
 namespace unstep::codec {
 namespace {
@@ -19,6 +21,8 @@ constexpr std::int32_t kNearSize = 2;
 constexpr int kFarCells = 20;
 /// How many candidates are compared pixel by pixel.
 constexpr int kMaxTries = 12;
+/// How many candidates of one size are looked at, from the latest back.
+constexpr std::size_t kLatest = 256;
 /// Lines that grow higher than this are not one line.
 constexpr std::int32_t kLineHeight = 60;
 
@@ -151,7 +155,7 @@ class Matcher {
     int tries = 0;
     for (std::size_t i = 0; i < near_.size() && tries < kMaxTries && best > 0;
          ++i) {
-      const Candidate& candidate = *near_[i].second;
+      const Candidate& candidate = *near_[i];
       if (library_.rank(candidate.id) == ShapeLibrary::kOffered) continue;
       ++tries;
       if (try_all(glyph, shapes[candidate.shape].glyph, best, shape)) {
@@ -174,30 +178,36 @@ class Matcher {
     buckets_[glyph.height << 10 | glyph.width].push_back({index, id, view});
   }
 
-  /// The candidates of about this size, the most alike first, later ones
-  /// before earlier ones.
+  /// The latest candidates of about this size, the most alike first, later
+  /// ones before earlier ones.
   void gather(const Glyph& glyph, std::uint64_t view) {
-    near_.clear();
+    for (auto& level : levels_) level.clear();
     for (std::int32_t h = glyph.height - kNearSize;
          h <= glyph.height + kNearSize; ++h) {
       for (std::int32_t w = glyph.width - kNearSize;
            w <= glyph.width + kNearSize; ++w) {
         const auto bucket = buckets_.find(h << 10 | w);
         if (bucket == buckets_.end()) continue;
-        for (const Candidate& candidate : bucket->second) {
+        const std::span<const Candidate> all = bucket->second;
+        for (const Candidate& candidate :
+             all.last(std::min(all.size(), kLatest))) {
           const int differ = ones(view ^ candidate.coarse);
-          if (differ <= kFarCells) near_.emplace_back(differ, &candidate);
+          if (differ <= kFarCells) {
+            levels_[static_cast<std::size_t>(differ)].push_back(&candidate);
+          }
         }
       }
     }
-    const auto wanted = std::min<std::size_t>(near_.size(), 4 * kMaxTries);
-    std::partial_sort(
-        near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(wanted),
-        near_.end(), [](const auto& a, const auto& b) {
-          return a.first != b.first ? a.first < b.first
-                                    : a.second->shape > b.second->shape;
-        });
-    near_.resize(wanted);
+    near_.clear();
+    for (auto& level : levels_) {
+      std::sort(level.begin(), level.end(),
+                [](const Candidate* a, const Candidate* b) {
+                  return a->shape > b->shape;
+                });
+      near_.insert(near_.end(), level.begin(), level.end());
+      if (near_.size() >= std::size_t{4} * kMaxTries) break;
+    }
+    near_.resize(std::min(near_.size(), std::size_t{4} * kMaxTries));
   }
 
   /// Tries all shifts; true if one is better than `best`.
@@ -223,7 +233,8 @@ class Matcher {
     return better;
   }
 
-  std::vector<std::pair<int, const Candidate*>> near_;
+  std::array<std::vector<const Candidate*>, kFarCells + 1> levels_;
+  std::vector<const Candidate*> near_;
   std::unordered_map<std::int32_t, std::vector<Candidate>> buckets_;
   ShapeLibrary library_;  ///< without the pixels
 };
@@ -246,29 +257,40 @@ std::uint64_t outline(const Glyph& glyph) {
   return steps;
 }
 
-/// Whether shapes are cheaper told by reference than walked around: they must
-/// repeat, be many and not be mere specks. On the drawings measured, coder 2
-/// wins where (share that refers)^2 x (steps around a shape) is above 35, and
-/// loses below 31.
-bool worth_telling(const std::vector<PlacedShape>& shapes) {
-  constexpr std::uint64_t kFewest = 100;
-  constexpr std::uint64_t kWorth = 32;
+/// What decides whether shapes are cheaper told by reference than walked
+/// around: they must repeat, be many and not be mere specks. On the drawings
+/// measured, coder 2 wins where (share that refers)^2 x (steps around a shape)
+/// is above 35, and loses below 31.
+struct Worth {
+  static constexpr std::uint64_t kFewest = 100;
+  static constexpr std::uint64_t kEnough = 32;
+  /// Shapes after which a hopeless page is given up.
+  static constexpr std::uint64_t kSample = 1024;
+
+  std::uint64_t count = 0;
   std::uint64_t referring = 0;
   std::uint64_t steps = 0;
-  for (const PlacedShape& shape : shapes) {
+
+  void add(const PlacedShape& shape) {
+    ++count;
     referring += shape.refers ? 1U : 0U;
     steps += outline(shape.glyph);
   }
-  const std::uint64_t count = shapes.size();
-  // Fewer than 2^26 shapes of at most 2^17 steps: no overflow.
-  return referring >= kFewest &&
-         referring * referring / count * (steps / count) >= kWorth * count;
-}
+  /// Fewer than 2^26 shapes of at most 2^17 steps: no overflow.
+  [[nodiscard]] std::uint64_t measure() const {
+    return referring * referring / count * (steps / count);
+  }
+  [[nodiscard]] bool enough() const {
+    return referring >= kFewest && measure() >= kEnough * count;
+  }
+  [[nodiscard]] bool hopeless() const {
+    return count == kSample && measure() < kEnough * count / 4;
+  }
+};
 
-}  // namespace
-
-std::vector<PlacedShape> match_shapes(const Bitmap& ink, std::int32_t first_row,
-                                      std::int32_t rows) {
+/// All shapes matched; with `worth`, none if it is not worth it.
+std::vector<PlacedShape> match(const Bitmap& ink, std::int32_t first_row,
+                               std::int32_t rows, Worth* worth) {
   std::vector<Component> parts =
       find_components(ink, first_row, rows, ink.pixels() / 64 + 4096);
   std::erase_if(parts, [](const Component& part) {
@@ -280,26 +302,36 @@ std::vector<PlacedShape> match_shapes(const Bitmap& ink, std::int32_t first_row,
   std::uint64_t room = shape_room(ink.width(), rows);
   for (const auto& [index, new_line] : reading_order(parts)) {
     const Component& part = parts[index];
-    PlacedShape shape;
-    shape.glyph = cut_out(ink, first_row, part);
-    const std::uint64_t cost = shape_cost(shape.glyph);
+    const std::uint64_t cost = shape_cost(part.width(), part.height());
     if (cost > room) break;
     room -= cost;
+    PlacedShape shape;
+    shape.glyph = cut_out(ink, first_row, part);
     shape.x = part.x;
     shape.y = part.y;
     shape.new_line = new_line;
     shapes.push_back(std::move(shape));
     matcher.match(shapes, shapes.size() - 1, part.pixels);
+    if (worth != nullptr) {
+      worth->add(shapes.back());
+      if (worth->hopeless()) return {};
+    }
   }
-  // What nothing refers to and refers to nothing is no shape.
+  if (worth != nullptr && !worth->enough()) shapes.clear();
   return shapes;
+}
+
+}  // namespace
+
+std::vector<PlacedShape> match_shapes(const Bitmap& ink, std::int32_t first_row,
+                                      std::int32_t rows) {
+  return match(ink, first_row, rows, nullptr);
 }
 
 std::vector<PlacedShape> find_shapes(const Bitmap& ink, std::int32_t first_row,
                                      std::int32_t rows) {
-  std::vector<PlacedShape> shapes = match_shapes(ink, first_row, rows);
-  if (!worth_telling(shapes)) shapes.clear();
-  return shapes;
+  Worth worth;
+  return match(ink, first_row, rows, &worth);
 }
 
 }  // namespace unstep::codec

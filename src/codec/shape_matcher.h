@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "codec/shape_scan.h"
+#include "codec/placed_shape.h"
 #include "unstep/bitmap.h"
 
 namespace unstep::codec {

@@ -1,61 +1,18 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <utility>
-#include <vector>
 
-#include "codec/context.h"
+#include "codec/block_coder.h"
+#include "codec/placed_shape.h"
 #include "codec/shape_glyph.h"
+#include "codec/shape_layout.h"
 #include "codec/shape_library.h"
 #include "codec/shape_pixels.h"
 #include "codec/shape_sequence.h"
-#include "unstep/bitmap.h"
 
 namespace unstep::codec {
-
-/// One shape of coder 2 and how it is told from those before.
-struct PlacedShape {
-  std::int32_t x = 0;  ///< of the left column, in the band
-  std::int32_t y = 0;  ///< of the top row
-  bool new_line = false;
-  bool refers = false;
-  std::uint32_t reference = 0;  ///< an id of the library
-  std::int32_t dx = 0;  ///< pixel (i, j) lies over (i + dx, j + dy) of the
-  std::int32_t dy = 0;  ///< reference, both from the middle
-  Glyph glyph;
-};
-
-/// What all shapes of a band together may cost, so that a damaged payload
-/// cannot ask for the world: 16 each and the words of their rows.
-[[nodiscard]] constexpr std::uint64_t shape_room(std::int32_t width,
-                                                 std::int32_t height) {
-  const std::uint64_t words = (static_cast<std::uint64_t>(width) + 63) / 64;
-  return 8 * words * static_cast<std::uint64_t>(height) + 4096;
-}
-[[nodiscard]] inline std::uint64_t shape_cost(const Glyph& glyph) {
-  return 16 + static_cast<std::uint64_t>(glyph.stride()) *
-                  static_cast<std::uint64_t>(glyph.height);
-}
-
-/// Calls `apply(word, bits)` for the words of the band's bitmap that a shape
-/// lies on. REQUIRES: it lies within.
-template <class Apply>
-void merge_shape(Bitmap& ink, std::int32_t first_row, const PlacedShape& shape,
-                 Apply apply) {
-  const auto first = static_cast<std::size_t>(shape.x) / 64;
-  const auto shift = static_cast<unsigned>(shape.x) % 64;
-  for (std::int32_t y = 0; y < shape.glyph.height; ++y) {
-    const auto to = ink.row(first_row + shape.y + y);
-    for (std::size_t i = 0; i < shape.glyph.stride(); ++i) {
-      const std::uint64_t word = shape.glyph.row(y)[i];
-      apply(to[first + i], word >> shift);
-      const std::uint64_t next = shift == 0 ? 0 : word << (64 - shift);
-      if (next != 0) apply(to[first + i + 1], next);
-    }
-  }
-}
 
 /// Coder 2's first part, both sides: shapes one after another, each told by
 /// its place after the one before and, if it is like an earlier one, by what
@@ -68,13 +25,16 @@ void merge_shape(Bitmap& ink, std::int32_t first_row, const PlacedShape& shape,
 template <class Side>
 class ShapeScan {
  public:
-  ShapeScan(Side& side, std::int32_t width, std::int32_t height, int table_bits)
+  /// Models of 2^table_bits slots a context; `shape_memory` bytes may go to
+  /// what is remembered of shapes.
+  ShapeScan(Side& side, std::int32_t width, std::int32_t height, int table_bits,
+            std::uint64_t shape_memory)
       : side_(side),
-        width_(width),
-        height_(height),
         room_(shape_room(width, height)),
+        memory_(shape_memory),
         pixels_(table_bits),
-        sequence_(kSequenceBits) {}
+        sequence_(kSequenceBits),
+        layout_(width, height) {}
 
   /// Bytes that the models allocate.
   static std::uint64_t memory(int table_bits) {
@@ -83,46 +43,38 @@ class ShapeScan {
            (1 << 20);
   }
 
-  /// False if the payload is damaged.
-  bool run() {
+  /// corrupt if the payload is damaged, limit_exceeded if the memory does not
+  /// suffice, cancelled. Shapes come from the top: `progress` hears their rows.
+  Status run(const BlockProgress& progress) {
     const PlacedShape none;
+    std::uint64_t quiet = 0;  // work since progress heard something
     for (;;) {
       const PlacedShape* next = side_.next();
       if (!sequence_.flag(side_.coder(), ShapeSequence::kMore, next != nullptr,
                           {0, 0, 0, 0, 0, 0})) {
-        return true;
+        return {};
       }
-      if (side_.damaged() || !one(next != nullptr ? *next : none)) return false;
+      if (memory_ < ShapeLibrary::kLargest) {
+        return Error{ErrorCode::limit_exceeded,
+                     "shapes need more than the memory limit"};
+      }
+      const std::uint64_t room = room_;
+      if (side_.damaged() || !one(next != nullptr ? *next : none)) {
+        return Error{ErrorCode::corrupt, "shape payload is damaged"};
+      }
+      quiet += room - room_;
+      if (quiet < kOften) continue;
+      quiet = 0;
+      if (progress && !progress(static_cast<std::uint64_t>(row_))) {
+        return Error{ErrorCode::cancelled, "cancelled"};
+      }
     }
   }
 
  private:
+  using Past = ShapePast;
   static constexpr int kSequenceBits = 16;
-
-  /// What is remembered of a shape that was coded.
-  struct Past {
-    std::uint32_t klass = 0;  ///< and 1; 0 is none
-    std::uint32_t id = 0;     ///< and 1
-    std::int32_t gap = 0;
-    std::int32_t rise = 0;
-    std::int32_t width = 0;
-    std::int32_t height = 0;
-    bool refers = false;
-    bool same = false;
-  };
-
-  using Contexts = ShapeSequence::Contexts;
-
-  /// Numbers to one, as a context; negative ones modulo 2^64.
-  template <class A, class B = int, class C = int>
-  static std::uint64_t join(std::uint64_t tag, A a, B b = 0, C c = 0) {
-    return codec::mix(codec::mix(codec::mix(tag, static_cast<std::uint64_t>(a)),
-                                 static_cast<std::uint64_t>(b)),
-                      static_cast<std::uint64_t>(c));
-  }
-  static std::uint64_t clip(std::int32_t value, std::int32_t limit) {
-    return static_cast<std::uint64_t>(std::clamp(value, -limit, limit) + limit);
-  }
+  static constexpr std::uint64_t kOften = 1 << 16;  ///< pixels: some ms
 
   bool one(const PlacedShape& truth) {
     auto& coder = side_.coder();
@@ -131,16 +83,14 @@ class ShapeScan {
     const Past& b = past_[1];
     const Past& c = past_[2];
     shape.new_line =
-        sequence_.flag(coder, ShapeSequence::kNewLine, truth.new_line,
-                       {0, join(1, a.klass), join(2, a.klass, b.klass),
-                        join(3, in_line_), join(4, clip(a.gap, 20), a.refers),
-                        join(5, std::int64_t{x_} * 16 / width_)});
+        layout_.code_new_line(coder, sequence_, truth.new_line, past_);
     const std::uint64_t fresh = shape.new_line ? 1 : 0;
     shape.refers = sequence_.flag(
         coder, ShapeSequence::kRefers, truth.refers,
-        {fresh, join(1, a.klass, b.klass), join(2, a.klass),
-         join(3, a.refers, b.refers, c.refers),
-         join(4, clip(a.gap, 20), a.refers), join(5, a.width, a.height)});
+        {fresh, join_values(1, a.klass, b.klass), join_values(2, a.klass),
+         join_values(3, a.refers, b.refers, c.refers),
+         join_values(4, clip_value(a.gap, 20), a.refers),
+         join_values(5, a.width, a.height)});
     Past now;
     now.refers = shape.refers;
     if (shape.refers) {
@@ -148,10 +98,14 @@ class ShapeScan {
     } else {
       open(shape, truth);
     }
-    const std::uint64_t cost = shape_cost(shape.glyph);
+    const std::uint64_t cost =
+        shape_cost(shape.glyph.width, shape.glyph.height);
     if (cost > room_) return false;
     room_ -= cost;
-    if (!position(shape, truth, now, fresh)) return false;
+    if (!now.same) memory_ -= ShapeLibrary::memory(shape.glyph);
+    if (!layout_.code_place(coder, sequence_, shape, truth, now, past_)) {
+      return false;
+    }
     if (!now.same) draw(shape, truth);
     return remember(shape, now);
   }
@@ -168,24 +122,26 @@ class ShapeScan {
         known ? library_.entry(truth.reference).klass : 0;
     const std::uint32_t klass = sequence_.number(
         coder, ShapeSequence::kClass, true_class,
-        {fresh, join(1, a.klass, fresh), join(2, a.klass, b.klass),
-         join(3, a.klass, b.klass, c.klass), join(4, a.id, a.gap),
-         join(5, a.width, a.height, fresh)});
+        {fresh, join_values(1, a.klass, fresh),
+         join_values(2, a.klass, b.klass),
+         join_values(3, a.klass, b.klass, c.klass), join_values(4, a.id, a.gap),
+         join_values(5, a.width, a.height, fresh)});
     if (klass >= library_.classes()) return false;
     const auto rank = static_cast<std::size_t>(sequence_.small(
         coder, ShapeSequence::kRank,
         known ? static_cast<unsigned>(library_.rank(truth.reference)) : 0U,
         ShapeLibrary::kRankBits,
-        {0, join(1, klass), join(2, library_.offered(klass)),
-         join(3, klass, a.id), join(4, a.same), join(5, klass, a.klass)}));
+        {0, join_values(1, klass), join_values(2, library_.offered(klass)),
+         join_values(3, klass, a.id), join_values(4, a.same),
+         join_values(5, klass, a.klass)}));
     if (rank >= library_.offered(klass)) return false;
     shape.reference = library_.at(klass, rank);
     const Glyph& model = library_.entry(shape.reference).glyph;
-    now.same = sequence_.flag(coder, ShapeSequence::kSame,
-                              known && truth.glyph == model,
-                              {join(0, a.same, b.same, c.same), join(1, klass),
-                               join(2, shape.reference), join(3, a.same),
-                               join(4, model.height), join(5, rank)});
+    now.same = sequence_.flag(
+        coder, ShapeSequence::kSame, known && truth.glyph == model,
+        {join_values(0, a.same, b.same, c.same), join_values(1, klass),
+         join_values(2, shape.reference), join_values(3, a.same),
+         join_values(4, model.height), join_values(5, rank)});
     now.klass = klass + 1;
     now.id = shape.reference + 1;
     library_.touch(klass, rank);
@@ -196,8 +152,9 @@ class ShapeScan {
     const auto small = [&](ShapeSequence::Field field, std::int32_t value) {
       const auto read = sequence_.small(
           coder, field, known ? static_cast<unsigned>(value + 4) & 7U : 0U, 3,
-          {0, join(1, klass), join(2, a.klass), join(3, model.height),
-           join(4, model.width), join(5, shape.reference)});
+          {0, join_values(1, klass), join_values(2, a.klass),
+           join_values(3, model.height), join_values(4, model.width),
+           join_values(5, shape.reference)});
       return static_cast<std::int32_t>(read) - 4;
     };
     const std::int32_t width =
@@ -220,11 +177,12 @@ class ShapeScan {
     const Past& a = past_[0];
     const auto side = [&](ShapeSequence::Field field, std::int32_t value,
                           std::uint64_t other) {
-      const auto read = sequence_.small(
-          side_.coder(), field, static_cast<unsigned>(std::max(1, value) - 1),
-          8,
-          {0, join(1, other), join(2, a.width), join(3, a.height),
-           join(4, a.klass), join(5, a.refers)});
+      const auto read =
+          sequence_.small(side_.coder(), field,
+                          static_cast<unsigned>(std::max(1, value) - 1), 8,
+                          {0, join_values(1, other), join_values(2, a.width),
+                           join_values(3, a.height), join_values(4, a.klass),
+                           join_values(5, a.refers)});
       return std::min<std::int32_t>(static_cast<std::int32_t>(read) + 1,
                                     kMaxShapeSide);
     };
@@ -233,46 +191,6 @@ class ShapeScan {
     const std::int32_t height = side(ShapeSequence::kSide, truth.glyph.height,
                                      static_cast<std::uint64_t>(width));
     shape.glyph = Glyph(width, height);
-  }
-
-  /// The left side follows the right side of the shape before, the lower side
-  /// the line on which shapes of the same class stood.
-  bool position(PlacedShape& shape, const PlacedShape& truth, Past& now,
-                std::uint64_t fresh) {
-    auto& coder = side_.coder();
-    const Past& a = past_[0];
-    const Past& b = past_[1];
-    const std::int32_t from = shape.new_line ? line_x_ : x_;
-    const std::int32_t base = shape.new_line ? line_base_ : base_;
-    const std::int32_t drop = now.klass != 0 ? drops_[now.klass - 1] : 0;
-    const std::int64_t gap = sequence_.signed_number(
-        coder, ShapeSequence::kGap, truth.x - from,
-        {fresh, join(1, now.klass, fresh), join(2, now.klass, a.klass, fresh),
-         join(3, now.id, a.id, fresh), join(4, clip(a.gap, 40), fresh),
-         join(5, now.klass, a.klass, b.klass)});
-    const std::int64_t bottom =
-        std::int64_t{truth.y} + shape.glyph.height - base - drop;
-    const std::int64_t rise = sequence_.signed_number(
-        coder, ShapeSequence::kRise, bottom,
-        {fresh, join(1, now.klass, fresh), join(2, now.klass, a.klass, fresh),
-         join(3,
-              clip(static_cast<std::int32_t>(
-                       std::clamp<std::int64_t>(gap, -64, 64)),
-                   64),
-              fresh, now.refers),
-         join(4, clip(a.rise, 20), fresh, clip(b.rise, 4)),
-         join(5, now.id, a.id)});
-    const std::int64_t x = from + gap;
-    const std::int64_t y = base + drop + rise - shape.glyph.height;
-    if (x < 0 || y < 0 || x + shape.glyph.width > width_ ||
-        y + shape.glyph.height > height_) {
-      return false;
-    }
-    shape.x = static_cast<std::int32_t>(x);
-    shape.y = static_cast<std::int32_t>(y);
-    now.gap = static_cast<std::int32_t>(gap);
-    now.rise = static_cast<std::int32_t>(rise);
-    return true;
   }
 
   void draw(PlacedShape& shape, const PlacedShape& truth) {
@@ -290,27 +208,17 @@ class ShapeScan {
   }
 
   bool remember(PlacedShape& shape, Past& now) {
-    const std::int32_t bottom = shape.y + shape.glyph.height;
+    if (!side_.place(shape)) return false;
+    row_ = shape.y;
     now.width = shape.glyph.width;
     now.height = shape.glyph.height;
-    if (!side_.place(shape)) return false;
-    const std::int32_t right = shape.x + shape.glyph.width;
-    if (shape.new_line) line_x_ = shape.x;
+    layout_.advance(shape, now.klass);
     if (!now.refers) {
-      const std::uint32_t id = library_.open(std::move(shape.glyph));
-      now.klass = library_.entry(id).klass + 1;
-      now.id = id + 1;
-      if (shape.new_line) base_ = bottom;
-      drops_.push_back(bottom - base_);
-    } else {
-      if (!now.same) {
-        now.id = library_.add(now.klass - 1, std::move(shape.glyph)) + 1;
-      }
-      base_ = std::clamp(bottom - drops_[now.klass - 1], 0, height_);
+      now.id = library_.open(std::move(shape.glyph)) + 1;
+      now.klass = library_.entry(now.id - 1).klass + 1;
+    } else if (!now.same) {
+      now.id = library_.add(now.klass - 1, std::move(shape.glyph)) + 1;
     }
-    if (shape.new_line) line_base_ = base_;
-    x_ = right;
-    in_line_ = shape.new_line ? 0 : std::min(in_line_ + 1, 15U);
     past_[2] = past_[1];
     past_[1] = past_[0];
     past_[0] = now;
@@ -318,21 +226,16 @@ class ShapeScan {
   }
 
   Side& side_;
-  std::int32_t width_;
-  std::int32_t height_;
   std::uint64_t room_;
+  std::uint64_t memory_;
   ShapePixels pixels_;
   ShapeSequence sequence_;
   ShapeLibrary library_;
   ShapeCanvas canvas_;
   ShapeCanvas reference_;
-  std::vector<std::int32_t> drops_;  ///< of each class below the line
-  std::array<Past, 3> past_{};
-  std::int32_t x_ = 0;  ///< right side of the last shape
-  std::int32_t base_ = 0;
-  std::int32_t line_x_ = 0;
-  std::int32_t line_base_ = 0;
-  unsigned in_line_ = 0;
+  ShapeLayout layout_;
+  ShapePasts past_{};
+  std::int32_t row_ = 0;  ///< the top of the last shape
 };
 
 }  // namespace unstep::codec

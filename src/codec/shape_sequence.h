@@ -12,6 +12,18 @@
 
 namespace unstep::codec {
 
+/// Numbers to one, as a context; negative ones modulo 2^64.
+template <class A, class B = int, class C = int>
+std::uint64_t join_values(std::uint64_t tag, A a, B b = 0, C c = 0) {
+  return mix(mix(mix(tag, static_cast<std::uint64_t>(a)),
+                 static_cast<std::uint64_t>(b)),
+             static_cast<std::uint64_t>(c));
+}
+/// A number of few values, for a context.
+inline std::uint64_t clip_value(std::int32_t value, std::int32_t limit) {
+  return static_cast<std::uint64_t>(std::clamp(value, -limit, limit) + limit);
+}
+
 /// Codes what is said of shapes beside their pixels: numbers under contexts
 /// made of the shapes before, like a text.
 class ShapeSequence {

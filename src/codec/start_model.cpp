@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "codec/warm_start.h"
-
 namespace unstep::codec {
 namespace {
 
@@ -19,22 +17,22 @@ std::uint64_t spread(std::uint64_t left, std::uint64_t bits,
 
 }  // namespace
 
-StartModel::StartModel(const CrackMap& cracks)
+StartModel::StartModel(const CrackMap& cracks, const warm::Table& start)
     : cracks_(cracks),
       near_(near_first(kContexts)),
-      mixer_({64}, warm::kStartWeights) {
+      mixer_({64}, start.start_weights) {
   static_assert(kContexts == warm::kStartContexts);
   static_assert(kFlags == warm::kFlags);
   for (auto& columns : columns_) {
     columns.resize((static_cast<std::size_t>(cracks.width()) + 63) / 64 + 2);
   }
   for (std::size_t i = 0; i < kFlags; ++i) {
-    flags_[i] = {warm::kFlagStart[i][0],
-                 static_cast<std::uint8_t>(warm::kFlagStart[i][1])};
+    flags_[i] = {start.flags[i][0],
+                 static_cast<std::uint8_t>(start.flags[i][1])};
   }
   for (entropy::Counter& counter : near_) counter.p = kUnknown;
   for (std::size_t i = 0; i < kContexts; ++i) {
-    warm::for_each(warm::kTurnContexts + i, [&](const warm::Record& record) {
+    start.for_each(warm::kTurnContexts + i, [&](const warm::Record& record) {
       near_[near_first(i) + (record.index >> (16 - near_bits(i)))] = {
           record.p[0], record.n[0]};
     });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codec/crack_map.h"
+#include "codec/warm_start.h"
 #include "entropy/counter.h"
 #include "entropy/mixer.h"
 
@@ -19,7 +20,7 @@ namespace unstep::codec {
 /// has its own flag under the cracks around it.
 class StartModel {
  public:
-  explicit StartModel(const CrackMap& cracks);
+  StartModel(const CrackMap& cracks, const warm::Table& start);
 
   /// Candidate starts among the 64 points of `word` in row y.
   struct Candidates {

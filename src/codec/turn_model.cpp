@@ -2,69 +2,54 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 
 #include "codec/context.h"
-#include "codec/warm_start.h"
 
 namespace unstep::codec {
 namespace {
 
-constexpr unsigned kSight = 12;  ///< how far look() sees, in points
+constexpr unsigned kFar = 40;  ///< how far gaps() sees, in points
+constexpr int kSight = 12;     ///< and look()
+
+/// log2 of the contexts of the refiners, without the decision.
+constexpr int kTurnRefinerBits = 12;
+constexpr int kNearRefinerBits = 11;
 
 /// How many fewer bits of slots the contexts with few values get.
-constexpr std::array<int, 16> kFewer{1, 0, 0, 0, 0, 0, 0, 3,
-                                     0, 0, 0, 1, 0, 0, 0, 1};
+constexpr std::array<int, TurnModel::kContexts> kFewer{1, 0, 0, 0, 0, 0, 0, 3,
+                                                       0, 0, 0, 1, 2, 0, 0};
 
-template <std::size_t kCount>
-constexpr std::array<int, kCount> table_sizes(int table_bits) {
-  std::array<int, kCount> bits{};
-  for (std::size_t i = 0; i < kCount; ++i) bits[i] = table_bits - kFewer[i];
+std::array<int, TurnModel::kContexts> table_sizes(int table_bits) {
+  std::array<int, TurnModel::kContexts> bits{};
+  for (std::size_t i = 0; i < bits.size(); ++i)
+    bits[i] = table_bits - kFewer[i];
   return bits;
-}
-
-/// The weights that a model starts with: those of the table, and a little for
-/// what it has no weights for.
-template <std::size_t kInputs>
-std::array<std::array<std::int16_t, kInputs>, 2> first_weights() {
-  std::array<std::array<std::int16_t, kInputs>, 2> weights{};
-  for (std::size_t node = 0; node < 2; ++node) {
-    for (std::size_t i = 0; i < 32; ++i) {
-      weights[node][i] = warm::kTurnWeights[node][i];
-    }
-    if constexpr (kInputs > 32) {
-      for (const std::size_t i : {12U, 13U}) {
-        weights[node][kInputs - 8 + i - 12] = weights[node][i];
-      }
-      for (std::size_t i = 12; i < 16; ++i) {
-        weights[node][i] = weights[node][16 + i] = 200;
-      }
-    }
-  }
-  return weights;
 }
 
 }  // namespace
 
-template <std::size_t kCount>
-std::uint64_t MixedTurnModel<kCount>::memory(int table_bits) {
-  std::uint64_t bytes = (std::uint64_t{1} << 20);  // gates, match, weights
-  for (const int bits : table_sizes<kCount>(table_bits)) {
+std::uint64_t TurnModel::memory(int table_bits) {
+  std::uint64_t bytes = std::uint64_t{2} << 20;  // gates, match, weights ...
+  for (const int bits : table_sizes(table_bits)) {
     bytes += sizeof(entropy::Slot) << bits;
   }
   return bytes;
 }
 
-template <std::size_t kCount>
-MixedTurnModel<kCount>::MixedTurnModel(const CrackMap& cracks, int table_bits)
+TurnModel::TurnModel(const CrackMap& cracks, int table_bits,
+                     const warm::Table& start)
     : cracks_(cracks),
-      slots_(table_sizes<kCount>(table_bits)),
+      slots_(table_sizes(table_bits)),
       gates_(std::size_t{1} << kGateBits),
-      mixer_({64, 1024, 1024}, first_weights<kInputs>()) {
+      mixer_({64, 1024, 1024, 1024}, start.turn_weights),
+      refiners_{entropy::Refiner(std::size_t{2} << kTurnRefinerBits),
+                entropy::Refiner(std::size_t{2} << kNearRefinerBits)} {
   for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
     const auto slots = slots_.slots(i);
     // Index and check of a record are the upper 28 bits of the hash.
     const int shift = 28 - std::countr_zero(slots.size());
-    warm::for_each(i, [&](const warm::Record& record) {
+    start.for_each(i, [&](const warm::Record& record) {
       const std::uint32_t hash =
           std::uint32_t{record.index} << 12 | record.check;
       slots[hash >> shift] = {record.p, record.n,
@@ -73,9 +58,8 @@ MixedTurnModel<kCount>::MixedTurnModel(const CrackMap& cracks, int table_bits)
   }
 }
 
-template <std::size_t kCount>
-void MixedTurnModel<kCount>::begin(CrackMap::Address point,
-                                   CrackMap::Address flipped, bool ink) {
+void TurnModel::begin(CrackMap::Address point, CrackMap::Address flipped,
+                      bool ink) {
   direction_ = 0;
   point_ = point + cracks_.step(0);
   flipped_ = flipped + cracks_.flipped_step(0);
@@ -89,10 +73,12 @@ void MixedTurnModel<kCount>::begin(CrackMap::Address point,
   trail_[1] = here_;
   dss_.reset();
   dss_.push(0);
+  curve_.begin();
+  gaps_ = gaps(point, flipped, 0);
+  curve_.step(0, 1, 0, gaps_);
 }
 
-template <std::size_t kCount>
-void MixedTurnModel<kCount>::advance(Turn turn) {
+void TurnModel::advance(Turn turn) {
   match_.push(turn);
   history_ = history_ << 2 | turn;
   if (turn == kStraight) {
@@ -108,43 +94,52 @@ void MixedTurnModel<kCount>::advance(Turn turn) {
                 std::int64_t{here_.x} * kQuarterDy[d];
   here_.x += kQuarterDx[d];
   here_.y += kQuarterDy[d];
+  gaps_ = gaps(point_, flipped_, direction_);
+  curve_.step(direction_, here_.x, here_.y, gaps_);
   point_ += cracks_.step(direction_);
   flipped_ += cracks_.flipped_step(direction_);
   ++steps_;
   trail_[steps_ % trail_.size()] = here_;
 }
 
-/// The nearest cracks parallel to the one just walked: right, left.
-template <std::size_t kCount>
-std::array<typename MixedTurnModel<kCount>::Sight, 2>
-MixedTurnModel<kCount>::look() const {
+/// The nearest cracks parallel to the one that leaves a point.
+CurveFit::Gaps TurnModel::gaps(CrackMap::Address point,
+                               CrackMap::Address flipped,
+                               Quarter direction) const {
   // The crack's bit in the plane where those beside it are its neighbours.
-  const CrackMap::Address on = cracks_.crack(direction_);
-  const CrackMap::Address before = point_ - cracks_.step(direction_);
-  const CrackMap::Address bit = (direction_ & 1) != 0 ? before + on
-                                : direction_ == 0
-                                    ? flipped_ - cracks_.flipped_step(0)
-                                    : flipped_;
-  const std::uint64_t after = cracks_.window(bit + 1) >> (64 - kSight);
-  const std::uint64_t back = cracks_.window(bit - kSight) >> (64 - kSight);
-  const auto sight = [&](unsigned distance, int side) -> Sight {
-    if (distance == 0) return {};
-    return {distance,
-            shape(point_ + static_cast<CrackMap::Address>(distance) *
-                               cracks_.step((direction_ + side) & 3))};
-  };
-  const unsigned ahead =
-      after != 0 ? kSight + 1 - static_cast<unsigned>(std::bit_width(after))
-                 : 0;
-  const unsigned behind =
-      back != 0 ? 1 + static_cast<unsigned>(std::countr_zero(back)) : 0;
-  const bool right_after = direction_ == 0 || direction_ == 3;
-  return {sight(right_after ? ahead : behind, 1),
-          sight(right_after ? behind : ahead, 3)};
+  const CrackMap::Address bit =
+      (direction & 1) != 0 ? point + cracks_.crack(direction)
+      : direction == 0     ? flipped
+                           : flipped + cracks_.flipped_step(2);
+  const std::uint64_t after = cracks_.window(bit + 1) >> (64 - kFar);
+  const std::uint64_t before =
+      cracks_.window(bit - CrackMap::Address{kFar}) >> (64 - kFar);
+  return {after != 0 ? static_cast<int>(kFar) + 1 -
+                           static_cast<int>(std::bit_width(after))
+                     : 0,
+          before != 0 ? 1 + std::countr_zero(before) : 0};
 }
 
-template <std::size_t kCount>
-unsigned MixedTurnModel<kCount>::shape(CrackMap::Address point) const {
+/// The nearest crack parallel to the one just walked, on one side.
+TurnModel::Sight TurnModel::look(bool right) const {
+  const bool greater = right == (direction_ == 0 || direction_ == 3);
+  const int distance = gaps_[greater ? 0 : 1];
+  if (distance == 0 || distance > kSight) return {};
+  const Quarter side = (direction_ + (right ? 1 : 3)) & 3;
+  return {static_cast<unsigned>(distance),
+          shape(point_ + CrackMap::Address{distance} * cracks_.step(side))};
+}
+
+/// Where the curve goes, on the axis along which most of the last steps went.
+CurveFit::Forecast TurnModel::forecast() const {
+  const Trail& t = trail(std::min(steps_, 16U));
+  const std::size_t axis =
+      std::abs(here_.x - t.x) >= std::abs(here_.y - t.y) ? 0 : 1;
+  return curve_.forecast(axis, direction_, here_.x, here_.y,
+                         gaps(point_, flipped_, curve_.heading(axis)));
+}
+
+unsigned TurnModel::shape(CrackMap::Address point) const {
   const CrackMap::Address on = cracks_.crack(direction_);
   const CrackMap::Address right = cracks_.crack((direction_ + 1) & 3);
   const CrackMap::Address left = cracks_.crack((direction_ + 3) & 3);
@@ -154,8 +149,7 @@ unsigned MixedTurnModel<kCount>::shape(CrackMap::Address point) const {
          cracks_.test(next + right) << 1 | cracks_.test(next + left);
 }
 
-template <std::size_t kCount>
-entropy::Counter& MixedTurnModel<kCount>::find_gate() {
+entropy::Counter& TurnModel::find_gate() {
   const std::uint64_t recent = history_ & 0xffffff;  // 12 turns
   const std::uint64_t hash = mix(around_ & patch::kNear, recent) * kGolden;
   gate_ = &gates_[hash >> (64 - kGateBits)];
@@ -163,8 +157,7 @@ entropy::Counter& MixedTurnModel<kCount>::find_gate() {
 }
 
 /// The last n steps as a chord, in the frame of the current direction: 18 bits.
-template <std::size_t kCount>
-std::uint64_t MixedTurnModel<kCount>::chord(std::uint32_t n) const {
+std::uint64_t TurnModel::chord(std::uint32_t n) const {
   if (steps_ < n) return 0;
   const std::int32_t dx = here_.x - trail(n).x;
   const std::int32_t dy = here_.y - trail(n).y;
@@ -176,8 +169,7 @@ std::uint64_t MixedTurnModel<kCount>::chord(std::uint32_t n) const {
 }
 
 /// Doubled area between the last n steps and their chord (patent's F).
-template <std::size_t kCount>
-unsigned MixedTurnModel<kCount>::bulge(std::uint32_t n) const {
+unsigned TurnModel::bulge(std::uint32_t n) const {
   if (steps_ < n) return 0;
   const Trail& t = trail(n);
   const std::int64_t dx = here_.x - t.x;
@@ -186,14 +178,14 @@ unsigned MixedTurnModel<kCount>::bulge(std::uint32_t n) const {
                        (std::int64_t{t.y} * dx - std::int64_t{t.x} * dy));
 }
 
-template <std::size_t kCount>
-void MixedTurnModel<kCount>::look_around() {
+void TurnModel::look_around() {
   const std::uint64_t at_point = patch::ways(around_);
   const std::uint64_t base = at_point << 1 | (ink_ ? 1U : 0U);
   const auto history = [&](unsigned turns) {
     return history_ & ((std::uint64_t{1} << (2 * turns)) - 1);
   };
-  const auto [right, left] = look();
+  const Sight right = look(true);
+  const Sight left = look(false);
   const std::uint64_t right_sight = right.distance << 6 | right.shape;
   const std::uint64_t left_sight = left.distance << 6 | left.shape;
   const std::uint64_t verdict = dss_.verdict(direction_);
@@ -217,31 +209,34 @@ void MixedTurnModel<kCount>::look_around() {
   ask(10, (chord(64) << 18 | chord(8)) << 5 | bulge(64));
   ask(11,
       (verdict << 4 | std::min(dss_.previous_length(), 15U)) << 6 | history(3));
-  if constexpr (kCount > 12) {
-    ask(12, history(6));
-    ask(13, right_sight << 12 | history(6));
-    ask(14, ((around_ & patch::kNear) << 10 | right_sight) << 10 | left_sight);
-    ask(15, (chord(32) << 18 | chord(16)) << 2 | history(1));
-  }
+  const CurveFit::Forecast expected = forecast();
+  const std::uint64_t bend = expected.curve >> 3;
+  ask(12, expected.curve);
+  ask(13, expected.right << 20 | bend);
+  ask(14, expected.left << 20 | bend);
   next_selectors_ = {
       std::min(right.distance, 7U) * 2 + (left.distance > 0 ? 16U : 0U),
       static_cast<std::size_t>(history(4)) * 2,
-      (level * 4 + guess) * 2 + static_cast<std::size_t>(at_point) * 64};
+      (level * 4 + guess) * 2 + static_cast<std::size_t>(at_point) * 64,
+      static_cast<std::size_t>(expected.curve >> 8 & 511) * 2};
+  next_refined_ = {static_cast<std::size_t>(history(6)) * 2,
+                   (around_ & patch::kNear) * kGolden >> (64 - kNearRefinerBits)
+                                                             << 1};
 }
 
-template <std::size_t kCount>
-int MixedTurnModel<kCount>::probability(Node node) {
+int TurnModel::probability(Node node) {
   auto& inputs = mixer_.inputs(node);
   slots_.predict(node, inputs.data());
-  inputs[kConstant] = 77;
-  inputs[kConstant + 1] = static_cast<std::int16_t>(
+  inputs[kGateInput] = static_cast<std::int16_t>(
       node == kBends ? entropy::stretch(gate_->p) : 0);
-  const int x = mixer_.mix(
-      {selectors_[0] + node, selectors_[1] + node, selectors_[2] + node}, node);
-  return std::clamp(entropy::squash(x), 1, 65535);
+  std::array<std::size_t, kSets> chosen = selectors_;
+  for (std::size_t& vector : chosen) vector += node;
+  const int x = mixer_.mix(chosen, node);
+  int p = entropy::squash(x);
+  for (std::size_t i = 0; i < refiners_.size(); ++i) {
+    p += refiners_[i].refine(x, refined_[i] + node);
+  }
+  return std::clamp(p / 3, 1, 65535);
 }
-
-template class MixedTurnModel<12>;
-template class MixedTurnModel<16>;
 
 }  // namespace unstep::codec

@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "codec/crack_map.h"
+#include "codec/curve_fit.h"
 #include "codec/dss_state.h"
 #include "codec/match_model.h"
 #include "codec/patch.h"
+#include "codec/warm_start.h"
 #include "entropy/counter.h"
 #include "entropy/mixer.h"
+#include "entropy/refiner.h"
 #include "entropy/slots.h"
 
 namespace unstep::codec {
@@ -23,16 +26,15 @@ using trace::Turn;
 using trace::turned;
 
 /// Predicts the turns of contours walked one by one. Encoder and decoder run
-/// the same object in step; everything is integer. kCount: how many contexts
-/// are mixed; the first 12 are the same for all.
-template <std::size_t kCount>
-class MixedTurnModel {
+/// the same object in step; everything is integer.
+class TurnModel {
  public:
-  static constexpr std::size_t kContexts = kCount;
+  static constexpr std::size_t kContexts = 15;
   using Slots = entropy::ContextSlots<kContexts>;
-  /// Those of the slots, one that is constant, one of the gate.
-  static constexpr std::size_t kInputs = Slots::kInputs + (kCount > 14 ? 8 : 0);
-  static constexpr std::size_t kConstant = kCount > 14 ? Slots::kInputs : 12;
+  /// Those of the slots; the lane that they leave free is the gate's.
+  static constexpr std::size_t kInputs = Slots::kInputs;
+  static constexpr std::size_t kGateInput = kContexts;
+  static constexpr std::size_t kSets = 4;  ///< of weights
 
   /// A gate is one counter that decides whether a bend is so unlikely that it
   /// is coded with this counter alone: 2 of 5 steps of a technical drawing.
@@ -44,7 +46,7 @@ class MixedTurnModel {
 
   /// `cracks` must outlive the model; 2^table_bits slots per context, fewer for
   /// some. REQUIRES: 8 <= table_bits <= kMaxTableBits.
-  MixedTurnModel(const CrackMap& cracks, int table_bits);
+  TurnModel(const CrackMap& cracks, int table_bits, const warm::Table& start);
 
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(int table_bits);
@@ -79,16 +81,17 @@ class MixedTurnModel {
         [this](std::size_t node, bool bit) { mixer_.update(bit, node); });
     slots_.recall();
     selectors_ = next_selectors_;
+    refined_ = next_refined_;
     if ((allowed & 1U << kStraight) != 0) {
       const bool bends = coder.code(turn != kStraight, probability(kBends));
       gate.update(bends);
-      slots_.note(kBends, bends);
+      learn(kBends, bends);
       if (!bends) return kStraight;
     }
     if ((allowed & 1U << kLeft) == 0) return kRight;
     if ((allowed & 1U << kRight) == 0) return kLeft;
     const bool right = coder.code(turn == kRight, probability(kToRight));
-    slots_.note(kToRight, right);
+    learn(kToRight, right);
     return right ? kRight : kLeft;
   }
 
@@ -116,7 +119,15 @@ class MixedTurnModel {
   entropy::Counter& find_gate();
   void look_around();
   int probability(Node node);
-  [[nodiscard]] std::array<Sight, 2> look() const;
+  void learn(Node node, bool bit) {
+    slots_.note(node, bit);
+    for (entropy::Refiner& refiner : refiners_) refiner.learn(bit);
+  }
+  [[nodiscard]] CurveFit::Gaps gaps(CrackMap::Address point,
+                                    CrackMap::Address flipped,
+                                    Quarter direction) const;
+  [[nodiscard]] Sight look(bool right) const;
+  [[nodiscard]] CurveFit::Forecast forecast() const;
   [[nodiscard]] unsigned shape(CrackMap::Address point) const;
   [[nodiscard]] std::uint64_t chord(std::uint32_t n) const;
   [[nodiscard]] unsigned bulge(std::uint32_t n) const;
@@ -129,7 +140,9 @@ class MixedTurnModel {
   std::vector<entropy::Counter> gates_;
   entropy::Counter* gate_ = nullptr;
   std::uint64_t around_ = 0;
-  entropy::Mixer<kInputs, 3, 2> mixer_;
+  entropy::Mixer<kInputs, kSets, 2> mixer_;
+  /// By the last turns, by the nearest cracks.
+  std::array<entropy::Refiner, 2> refiners_;
 
   // Where the walk is.
   CrackMap::Address point_ = 0;
@@ -145,15 +158,14 @@ class MixedTurnModel {
   std::array<Trail, 128> trail_{};  ///< the last positions, by steps_ % 128
   Trail here_{};
   DssState dss_;
+  CurveFit curve_;
+  CurveFit::Gaps gaps_{};  ///< of the crack just walked
   MatchModel match_;
 
-  std::array<std::size_t, 3> next_selectors_{};
-  std::array<std::size_t, 3> selectors_{};
+  std::array<std::size_t, kSets> next_selectors_{};
+  std::array<std::size_t, kSets> selectors_{};
+  std::array<std::size_t, 2> next_refined_{};
+  std::array<std::size_t, 2> refined_{};
 };
-
-using TurnModel = MixedTurnModel<12>;
-using MaxTurnModel = MixedTurnModel<16>;
-extern template class MixedTurnModel<12>;
-extern template class MixedTurnModel<16>;
 
 }  // namespace unstep::codec

@@ -215,19 +215,6 @@ void VectorModel::set_length_contexts(const VectorPlace& place, int turn) {
   length_selector_ = kind > 0 ? 256 : 0;
 }
 
-/// The slopes of class 1..6 hold the smaller components of a third each.
-VectorModel::Range VectorModel::minor_range() const {
-  const int slope = direction_ % 7;
-  if (slope == 0) return {0, 0};
-  const int third = slope <= 3 ? slope : 7 - slope;
-  const std::int64_t low = length_ * (third - 1) / 3 + 1;
-  std::int64_t high = third == 3 ? length_ : length_ * third / 3;
-  // Equal components belong to the lower half of the quarter; the bounds of
-  // the upper half are open where those of the lower one are closed.
-  if (slope == 4) --high;
-  return {low, high};
-}
-
 VectorModel::Expected VectorModel::expected_minor(const Vec& v) const {
   if (v.zero()) return {};
   const Vec r = turned_back(shortened(v, 24), direction_ / 7);

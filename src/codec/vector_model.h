@@ -55,7 +55,7 @@ class VectorModel {
     find_parallel(place);
     set_length_contexts(place, turn);
     length_ = code_length(coder, std::max(r.x, r.y));
-    const Range range = minor_range();
+    const Range range = vectors::minor_range(direction_ % 7, length_);
     if (range.low > range.high) return false;
     const std::int64_t minor =
         code_minor(coder, place, turn, range, std::min(r.x, r.y));
@@ -70,9 +70,7 @@ class VectorModel {
   [[nodiscard]] std::array<Decisions, 3>& decisions() { return decisions_; }
 
  private:
-  struct Range {
-    std::int64_t low, high;
-  };
+  using Range = vectors::MinorRange;
   enum Part : std::uint8_t { kTurn, kLength, kMinor };
   /// Nodes of the turn; the others follow.
   static constexpr std::uint32_t kBends = 0, kRight = 1, kZero = 40;
@@ -186,7 +184,6 @@ class VectorModel {
   [[nodiscard]] int relative(const Vec& v) const;
   [[nodiscard]] int relative_fine(const Vec& v) const;
   [[nodiscard]] Expected expected_minor(const Vec& v) const;
-  [[nodiscard]] Range minor_range() const;
   void look_around(const VectorPlace& place);
   void find_parallel(const VectorPlace& place);
   void set_turn_contexts(const VectorPlace& place);

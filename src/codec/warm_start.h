@@ -7,12 +7,12 @@
 
 /// The warm start: what the models of coder 1 know before the first bit,
 /// learned from other drawings. tests/bench/train_warm_start.cpp makes
-/// warm_start_table.cpp; docs/format.md says how it is applied. Part of the
-/// format: a changed table is a new table id.
+/// warm_start_small.cpp and warm_start_large.cpp; docs/format.md says how they
+/// are applied. Part of the format: a changed table is a new table id.
 namespace unstep::codec::warm {
 
 inline constexpr std::uint8_t kTableId = 1;
-inline constexpr std::size_t kTurnContexts = 12;
+inline constexpr std::size_t kTurnContexts = 15;
 inline constexpr std::size_t kStartContexts = 3;
 inline constexpr std::size_t kContexts = kTurnContexts + kStartContexts;
 inline constexpr std::size_t kFlags = 1664;
@@ -40,24 +40,34 @@ inline constexpr std::array<std::uint8_t, 16> kAges{
 
 Record parse(std::string_view eight);
 
-/// Calls `apply(record)` for the records of one context.
-template <class Apply>
-void for_each(std::size_t context, Apply apply);
+struct Table {
+  std::array<std::uint16_t, kContexts> counts;  ///< of records, by context
+  std::string_view records;                     ///< all of them, parse()
+  std::array<std::array<std::int16_t, 32>, 2> turn_weights;
+  std::array<std::array<std::int16_t, 8>, 1> start_weights;
+  std::array<std::array<std::uint16_t, 2>, kFlags> flags;
 
-// The generated table.
-extern const std::array<std::uint16_t, kContexts> kCounts;
-extern const std::string_view kRecords;
-extern const std::array<std::array<std::int16_t, 32>, 2> kTurnWeights;
-extern const std::array<std::array<std::int16_t, 8>, 1> kStartWeights;
-extern const std::array<std::array<std::uint16_t, 2>, kFlags> kFlagStart;
-
-template <class Apply>
-void for_each(std::size_t context, Apply apply) {
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < context; ++i) first += kCounts[i];
-  for (std::size_t i = 0; i < kCounts[context]; ++i) {
-    apply(parse(kRecords.substr((first + i) * 8, 8)));
+  /// Calls `apply(record)` for the records of one context.
+  template <class Apply>
+  void for_each(std::size_t context, Apply apply) const {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < context; ++i) first += counts[i];
+    for (std::size_t i = 0; i < counts[context]; ++i) {
+      apply(parse(records.substr((first + i) * 8, 8)));
+    }
   }
+};
+
+/// Icons, letters, symbols: much must be known from the start.
+extern const Table kSmall;
+/// Pages: what all kinds have in common. What is common on small drawings
+/// costs 1 % here.
+extern const Table kLarge;
+
+/// A rule of the size only, so that it need not be stored.
+[[nodiscard]] inline const Table& table_for(std::int32_t width,
+                                            std::int32_t rows) {
+  return std::int64_t{width} * rows < 2'000'000 ? kSmall : kLarge;
 }
 
 }  // namespace unstep::codec::warm

@@ -32,6 +32,7 @@ bool same_page(const PageParts& given, const PageEntry& found) {
            entry.first_row == block.first_row && entry.rows == block.rows &&
            entry.chains == block.chains && entry.steps == block.steps &&
            entry.paths == block.paths && entry.elements == block.elements &&
+           entry.lines == block.lines && entry.text_bytes == block.text_bytes &&
            codec::CoderName{entry.coder, entry.revision, entry.table} ==
                block.encoded.name;
   }
@@ -123,6 +124,18 @@ Status UstpWriter::add_page(const Drawing& drawing, const PageInfo& info,
   }
   return impl_->add(std::move(page), [&](PageParts& parts) {
     return codec::encode_drawing_page(drawing, impl_->options, parts);
+  });
+}
+
+Status UstpWriter::add_program(std::string_view text, const PageInfo& info,
+                               const Fidelity& fidelity) {
+  PageParts page;
+  page.kind = PageKind::program;
+  page.info = info;
+  page.fidelity = fidelity;
+  if (fidelity.kind != Fidelity::Kind::tolerance) page.fidelity.tolerance = {};
+  return impl_->add(std::move(page), [&](PageParts& parts) {
+    return codec::encode_program_page(text, impl_->options, parts);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "deviation/free_space.h"
@@ -113,31 +114,39 @@ struct StartPoint {
   std::int64_t distance2 = 0;
 };
 
-/// The nearest point of every stretch of the chain that is within the bound of
-/// `vertex`, nearest first.
+/// The points of the chain within the bound of `vertex`: the nearest of every
+/// stretch of them first, then the others, each by distance. On a chain that
+/// turns back, the nearest point need not be the one that the path stands for.
 std::vector<StartPoint> start_points(const Bound& bound, const ChainWalk& chain,
                                      Vector64 vertex) {
-  std::vector<StartPoint> found;
+  std::vector<StartPoint> nearest;
+  std::vector<StartPoint> others;
   ChainWalk walk = chain;
   bool inside = false;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Vector64 d = walk.at() - vertex;
     const bool in = bound.within(walk.at(), vertex);
     if (in) {
-      const std::int64_t distance2 = d.x * d.x + d.y * d.y;
-      if (!inside)
-        found.push_back({i, walk.at(), distance2});
-      else if (distance2 < found.back().distance2)
-        found.back() = {i, walk.at(), distance2};
+      StartPoint point{i, walk.at(), d.x * d.x + d.y * d.y};
+      if (!inside) {
+        nearest.push_back(point);
+      } else {
+        if (point.distance2 < nearest.back().distance2) {
+          std::swap(point, nearest.back());
+        }
+        others.push_back(point);
+      }
     }
     inside = in;
     walk.seek(i + 1);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const StartPoint& a, const StartPoint& b) {
-                     return a.distance2 < b.distance2;
-                   });
-  return found;
+  const auto nearer = [](const StartPoint& a, const StartPoint& b) {
+    return a.distance2 < b.distance2;
+  };
+  std::stable_sort(nearest.begin(), nearest.end(), nearer);
+  std::stable_sort(others.begin(), others.end(), nearer);
+  nearest.insert(nearest.end(), others.begin(), others.end());
+  return nearest;
 }
 
 /// The place of the path's grid on an edge nearest to `vertex`, if near enough.

@@ -142,6 +142,15 @@ class Mixer {
     return ages_[s];
   }
 
+  /// For a warm start: vector k of set s, 14 fractional bits, as if it had seen
+  /// `age` bits.
+  void set_weights(std::size_t s, std::size_t k, const Inputs& weights,
+                   std::uint16_t age) {
+    std::copy(weights.begin(), weights.end(),
+              weights_[s].begin() + static_cast<std::ptrdiff_t>(k * kInputs));
+    ages_[s][k] = age;
+  }
+
   /// The inputs of the next prediction, stretches; unused ones stay 0.
   [[nodiscard]] Inputs& inputs(std::size_t lane = 0) {
     return lanes_[lane].inputs;
@@ -176,7 +185,7 @@ class Mixer {
     }
   }
 
-  static constexpr int kRateStart = 1800;  ///< 0.027
+  static constexpr int kRateStart = 1400;  ///< 0.021
   static constexpr int kRateEnd = 350;     ///< 0.005
   static constexpr auto kRates = detail::make_mixer_rates(kRateStart, kRateEnd);
 

@@ -1,10 +1,12 @@
 #include "formats/colour_rows.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "formats/binarise.h"
+#include "formats/histogram.h"
 
 namespace unstep {
 namespace {
@@ -78,62 +80,43 @@ void settle(const Values& values, RasterPage& page) {
                page.info.metadata);
 }
 
-/// Otsu's method (N. Otsu, A threshold selection method from gray-level
-/// histograms, 1979): the split with the greatest variance between classes.
-/// Returns the first level that is paper, as cv::threshold's result + 1.
-int otsu_level(const std::array<std::uint64_t, 256>& histogram) {
-  double count = 0;
-  double sum = 0;
-  for (std::size_t i = 0; i < 256; ++i) {
-    count += static_cast<double>(histogram[i]);
-    sum += static_cast<double>(i) * static_cast<double>(histogram[i]);
-  }
-  double below = 0;
-  double sum_below = 0;
-  double best = -1;
-  int level = 128;
-  for (std::size_t i = 0; i < 255; ++i) {
-    below += static_cast<double>(histogram[i]);
-    sum_below += static_cast<double>(i) * static_cast<double>(histogram[i]);
-    const double above = count - below;
-    if (below == 0 || above == 0) continue;
-    const double gap = sum_below / below - (sum - sum_below) / above;
-    const double variance = below * above * gap * gap;
-    if (variance > best) {
-      best = variance;
-      level = static_cast<int>(i) + 1;
-    }
-  }
-  return level;
-}
-
 Result<int> choose_level(ColourRows& rows, const Bitmap& ink,
                          const Threshold& threshold) {
   if (threshold.kind == Threshold::Kind::fixed) return threshold.level;
-  std::array<std::uint64_t, 256> histogram{};
-  std::vector<Colour> row(static_cast<std::size_t>(ink.width()));
+  Histogram histogram{};
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(ink.width()));
   if (Status started = rows.start(); !started) return started.error();
   for (std::int32_t y = 0; y < ink.height(); ++y) {
-    if (Status read = rows.next(row); !read) return read.error();
-    for (const Colour pixel : row) ++histogram[luminance(pixel)];
+    if (Status read = rows.next_luminance(row); !read) return read.error();
+    for (const std::uint8_t pixel : row) ++histogram[pixel];
   }
   return otsu_level(histogram);
 }
 
 Status apply_threshold(ColourRows& rows, std::uint32_t level, Bitmap& ink) {
-  std::vector<Colour> row(static_cast<std::size_t>(ink.width()));
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(ink.width()));
   if (Status started = rows.start(); !started) return started.error();
   for (std::int32_t y = 0; y < ink.height(); ++y) {
-    if (Status read = rows.next(row); !read) return read.error();
-    const std::span<std::uint64_t> words = ink.row(y);
-    for (std::uint64_t& word : words) word = 0;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (luminance(row[i]) < level) {
-        words[i / 64] |= std::uint64_t{1} << (63 - i % 64);
-      }
-    }
+    if (Status read = rows.next_luminance(row); !read) return read.error();
+    pack_below(row, level, ink.row(y));
   }
   return {};
+}
+
+Result<GreyPage> read_grey(ColourRows& rows, std::int32_t width,
+                           std::int32_t height,
+                           const RasterReadOptions& options,
+                           std::uint64_t other_bytes) {
+  Result<GreyPage> grey =
+      GreyPage::create(width, height, options.limits, other_bytes);
+  if (!grey) return grey;
+  if (Status started = rows.start(); !started) return started.error();
+  for (std::int32_t y = 0; y < height; ++y) {
+    if (Status read = rows.next_luminance(grey->row(y)); !read) {
+      return read.error();
+    }
+  }
+  return grey;
 }
 
 /// True if a fixed threshold would not part the two values.
@@ -146,8 +129,19 @@ bool would_differ(const Values& values, const Threshold& threshold) {
 
 }  // namespace
 
+Status ColourRows::next_luminance(std::span<std::uint8_t> row) {
+  colours_.resize(row.size());
+  if (Status read = next(colours_); !read) return read;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    row[i] = static_cast<std::uint8_t>(luminance(colours_[i]));
+  }
+  return {};
+}
+
 Status read_colours(ColourRows& rows, std::int32_t width, std::int32_t height,
-                    const Threshold& threshold, RasterPage& page) {
+                    const RasterReadOptions& options, std::uint64_t other_bytes,
+                    RasterPage& page) {
+  const Threshold& threshold = options.threshold;
   Result<Bitmap> ink = Bitmap::create(width, height);
   if (!ink) return ink.error();
   page.ink = std::move(*ink);
@@ -161,19 +155,28 @@ Status read_colours(ColourRows& rows, std::int32_t width, std::int32_t height,
     }
     return {};
   }
-  if (threshold.kind == Threshold::Kind::none) {
-    return Error{ErrorCode::invalid_argument,
-                 "more than two pixel values; give --threshold N|otsu to make "
-                 "it bilevel (not lossless)"};
-  }
-  const Result<int> level = choose_level(rows, page.ink, threshold);
-  if (!level) return level.error();
   page.lossless = false;
-  page.notes.push_back(
-      "grey or colour pixels thresholded, not lossless: luminance below " +
-      std::to_string(*level) + " is ink" +
-      (threshold.kind == Threshold::Kind::otsu ? " (otsu)" : ""));
-  return apply_threshold(rows, static_cast<std::uint32_t>(*level), page.ink);
+  switch (threshold.kind) {
+    case Threshold::Kind::none:
+      return Error{ErrorCode::invalid_argument,
+                   "more than two pixel values; give --threshold auto, a "
+                   "level or another method to make it bilevel (not lossless)"};
+    case Threshold::Kind::fixed:
+    case Threshold::Kind::otsu: {
+      if (options.work.deskew) break;  // turns the greys
+      const Result<int> level = choose_level(rows, page.ink, threshold);
+      if (!level) return level.error();
+      page.work.push_back(level_text(threshold.kind, *level));
+      Status done =
+          apply_threshold(rows, static_cast<std::uint32_t>(*level), page.ink);
+      if (done) invert_ink(options.work.invert, page);
+      return done;
+    }
+    default: break;
+  }
+  Result<GreyPage> grey = read_grey(rows, width, height, options, other_bytes);
+  if (!grey) return grey.error();
+  return binarise(*std::move(grey), options, other_bytes, page);
 }
 
 }  // namespace unstep

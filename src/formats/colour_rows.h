@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "formats/colour.h"
 #include "unstep/formats.h"
@@ -17,14 +18,22 @@ class ColourRows {
   virtual Status start() = 0;
   /// REQUIRES: start() was called, rows are left, row.size() is the width.
   virtual Status next(std::span<Colour> row) = 0;
+  /// The same row as luminances, 0..255. Rows of one image are taken in one of
+  /// the two ways between start() and start().
+  virtual Status next_luminance(std::span<std::uint8_t> row);
+
+ private:
+  std::vector<Colour> colours_;  ///< a row, if luminances come from colours
 };
 
 /// Fills page.ink from the rows. At most two values: the darker one is ink,
 /// page.lossless stays true and the colours go to the metadata. More: the
-/// threshold decides, page.lossless is false and a note says so;
+/// threshold decides, page.lossless is false and page.work says how;
 /// invalid_argument if there is none. A single value is ink if its luminance
-/// is below 128. The limits were checked by the caller.
+/// is below 128. The limits of the bitmap were checked by the caller, who also
+/// holds `other_bytes`.
 Status read_colours(ColourRows& rows, std::int32_t width, std::int32_t height,
-                    const Threshold& threshold, RasterPage& page);
+                    const RasterReadOptions& options, std::uint64_t other_bytes,
+                    RasterPage& page);
 
 }  // namespace unstep

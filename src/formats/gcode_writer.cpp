@@ -57,7 +57,8 @@ class Writer {
     for (const ProgramItem& item : program_.items) {
       const bool ends = item.ends_program && !ended_;
       if (ends) add_lines(options_.footer);
-      if (ends && !has_mark_ && program_.text_of(item) == "%") {
+      if (ends && !has_mark_ && options_.add_end &&
+          program_.text_of(item) == "%") {
         // LinuxCNC refuses a mark at the end alone.
         add_end();
       } else if (item.is_motion() && !item.keep_text) {
@@ -84,7 +85,9 @@ class Writer {
   }
 
   void add_end() {
-    if (options_.profile != GcodeProfile::marlin) add_lines("M2");
+    if (options_.add_end && options_.profile != GcodeProfile::marlin) {
+      add_lines("M2");
+    }
   }
 
   /// What the item says is in force.

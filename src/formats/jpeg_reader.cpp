@@ -4,16 +4,16 @@
 #include <string>
 #include <utility>
 
-#include "formats/opencv_page.h"
+#include "formats/jpeg_rows.h"
 #include "formats/orientation.h"
 #include "formats/page_limits.h"
 #include "formats/raster_source.h"
 #include "formats/resolution.h"
 #include "formats/tiff_layout.h"
 
-/// JPEG: the pixels come from OpenCV; size, density, orientation and whether
+/// JPEG: the pixels come from libjpeg; size, density, orientation and whether
 /// the file is whole are read from its markers (ITU-T T.81 annex B, JFIF 1.02)
-/// here, because OpenCV does not tell them.
+/// here.
 namespace unstep {
 namespace {
 
@@ -136,23 +136,46 @@ class JpegSource final : public RasterSource {
   Result<RasterPage> read(std::size_t /*page*/) override {
     const Result<JpegHeader> header = MarkerReader(bytes_).read();
     if (!header) return header.error();
-    Result<RasterPage> page =
-        read_opencv_page(bytes_, header->width, header->height, options_);
-    if (!page) return page;
-    page->info.resolution = header->resolution;
+    RasterPage page;
+    if (Status read = read_pixels(page); !read) return read.error();
+    page.info.resolution = header->resolution;
     if (header->orientation != 1) {
-      if (is_transposed(header->orientation)) {
-        page->info.resolution = transposed(header->resolution);
-      }
-      page->notes.push_back("EXIF orientation " +
-                            std::to_string(header->orientation) + " (" +
-                            std::string(orientation_name(header->orientation)) +
-                            ") applied; the page is stored top-left");
+      if (Status turned = turn(*header, page); !turned) return turned.error();
     }
     return page;
   }
 
  private:
+  Status read_pixels(RasterPage& page) const {
+    JpegRows rows(bytes_);
+    if (Status opened = rows.open(options_.limits); !opened) return opened;
+    page.notes = rows.notes();
+    return read_colours(rows, rows.width(), rows.height(), options_,
+                        rows.memory(), page);
+  }
+
+  Status turn(const JpegHeader& header, RasterPage& page) const {
+    if (is_transposed(header.orientation)) {
+      const auto width = static_cast<std::uint64_t>(page.ink.width());
+      const auto height = static_cast<std::uint64_t>(page.ink.height());
+      if (Status fits = check_page(options_.limits, width, height,
+                                   bytes_.size() + bitmap_bytes(height, width));
+          !fits) {
+        return fits;
+      }
+      page.info.resolution = transposed(header.resolution);
+    }
+    if (Status turned = apply_orientation(header.orientation, page.ink);
+        !turned) {
+      return turned;
+    }
+    page.notes.push_back("EXIF orientation " +
+                         std::to_string(header.orientation) + " (" +
+                         std::string(orientation_name(header.orientation)) +
+                         ") applied; the page is stored top-left");
+    return {};
+  }
+
   SourceBytes bytes_;
   RasterReadOptions options_;
 };

@@ -1,97 +1,39 @@
 #include "formats/opencv_loader.h"
 
-#include <dlfcn.h>
-
 #include <array>
-#include <cstdlib>
 #include <mutex>
-#include <string>
 #include <utility>
+
+#include "formats/module_loader.h"
 
 namespace unstep {
 namespace {
-
-constexpr const char* kModuleName = "unstep_opencv.so";
 
 struct Module {
   decltype(&unstep_opencv_decode) decode = nullptr;
   decltype(&unstep_opencv_release) release = nullptr;
 };
 
-#ifdef UNSTEP_MODULE_INSTALL_DIR
-/// The folder of the library or program that holds this code.
-std::string own_folder() {
-  static const char anchor = 0;
-  Dl_info about{};
-  if (::dladdr(&anchor, &about) == 0 || about.dli_fname == nullptr) return {};
-  const std::string path = about.dli_fname;
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? "." : path.substr(0, slash);
-}
-#endif
-
-/// Where the module may be, first choice first.
-std::vector<std::string> module_folders() {
-  std::vector<std::string> folders;
-  if (const char* chosen = std::getenv("UNSTEP_MODULE_DIR");
-      chosen != nullptr && *chosen != '\0') {
-    folders.emplace_back(chosen);
-  }
-#ifdef UNSTEP_MODULE_INSTALL_DIR
-  if (const std::string own = own_folder(); !own.empty()) {
-    folders.push_back(own + "/unstep");
-    folders.push_back(own + "/" UNSTEP_MODULE_RELATIVE_DIR);
-  }
-  folders.emplace_back(UNSTEP_MODULE_BUILD_DIR);
-  folders.emplace_back(UNSTEP_MODULE_INSTALL_DIR);
-#endif
-  return folders;
-}
-
-/// Null if it is not there or of another revision.
-void* open_module(const std::string& path, std::string& reason) {
-  void* handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) {
-    const char* error = ::dlerror();
-    reason = error != nullptr ? error : "cannot load " + path;
-    return nullptr;
-  }
-  const auto revision = reinterpret_cast<decltype(&unstep_opencv_revision)>(
-      ::dlsym(handle, "unstep_opencv_revision"));
-  if (revision == nullptr || revision() != kOpencvModuleRevision) {
-    reason = path + " is of another version";
-    ::dlclose(handle);
-    return nullptr;
-  }
-  return handle;
-}
-
-Result<Module> load_module() {
+Result<Module> opencv_module() {
   static std::mutex mutex;
   static Module module;
   const std::lock_guard lock(mutex);
   if (module.decode != nullptr) return module;
-  std::string reason = "built without it";
-  for (const std::string& folder : module_folders()) {
-    void* handle = open_module(folder + "/" + kModuleName, reason);
-    if (handle == nullptr) continue;
-    const auto decode = reinterpret_cast<decltype(module.decode)>(
-        ::dlsym(handle, "unstep_opencv_decode"));
-    const auto release = reinterpret_cast<decltype(module.release)>(
-        ::dlsym(handle, "unstep_opencv_release"));
-    if (decode == nullptr || release == nullptr) continue;
-    module = {decode, release};
-    return module;
-  }
-  return Error{ErrorCode::unsupported,
-               "BMP and JPEG need the OpenCV module, which cannot be loaded (" +
-                   reason + "); UNSTEP_MODULE_DIR names its folder"};
+  const Result<void*> handle =
+      load_module("unstep_opencv.so", "unstep_opencv_revision",
+                  kOpencvModuleRevision, "BMP above 1 bit needs");
+  if (!handle) return handle.error();
+  using Decode = decltype(unstep_opencv_decode);
+  using Release = decltype(unstep_opencv_release);
+  module = {module_function<Decode>(*handle, "unstep_opencv_decode"),
+            module_function<Release>(*handle, "unstep_opencv_release")};
+  return module;
 }
 
 }  // namespace
 
 Result<OpencvImage> OpencvImage::decode(std::span<const std::uint8_t> bytes) {
-  const Result<Module> module = load_module();
+  const Result<Module> module = opencv_module();
   if (!module) return module.error();
   OpencvImage image;
   std::array<char, 300> reason{};
@@ -108,7 +50,7 @@ OpencvImage::OpencvImage(OpencvImage&& other) noexcept
 OpencvImage::~OpencvImage() {
   if (image_.owner == nullptr) return;
   // Loaded, because it made the image.
-  if (const Result<Module> module = load_module(); module) {
+  if (const Result<Module> module = opencv_module(); module) {
     module->release(&image_);
   }
 }

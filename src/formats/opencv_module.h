@@ -4,7 +4,7 @@
 #include <cstdint>
 
 /// The C interface of the module that holds OpenCV. The library loads the
-/// module when the first BMP or JPEG needs it, so that nothing else pays for
+/// module when the first BMP needs it, so that nothing else pays for
 /// it. No exception crosses the interface.
 extern "C" {
 
@@ -21,7 +21,7 @@ struct unstep_opencv_image {
 /// The revision of this interface that the module was built with.
 int unstep_opencv_revision();
 
-/// Decodes a file; EXIF orientation is applied. 0, or 1 with a reason (one
+/// Decodes a file. 0, or 1 with a reason (one
 /// line, cut to its buffer).
 int unstep_opencv_decode(const std::uint8_t* bytes, std::size_t size,
                          unstep_opencv_image* image, char* reason,

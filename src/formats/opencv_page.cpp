@@ -27,8 +27,9 @@ Result<RasterPage> read_opencv_page(std::span<const std::uint8_t> bytes,
     return Error{ErrorCode::corrupt, "the header's size is not the image's"};
   }
   RasterPage page;
-  if (Status read = read_colours(*image, image->width(), image->height(),
-                                 options.threshold, page);
+  if (Status read =
+          read_colours(*image, image->width(), image->height(), options,
+                       bytes.size() + width * height * 6, page);
       !read) {
     return read.error();
   }

@@ -7,7 +7,7 @@
 
 namespace unstep {
 
-/// The only page of a BMP or JPEG file through the OpenCV module. The sides
+/// The only page of a BMP file through the OpenCV module. The sides
 /// are those that the file's header claims; limits are checked with them.
 Result<RasterPage> read_opencv_page(std::span<const std::uint8_t> bytes,
                                     std::uint64_t width, std::uint64_t height,

@@ -231,7 +231,8 @@ class PbmSource final : public RasterSource {
     Status done;
     if (header.is_grey()) {
       GreyRows rows(bytes_, header);
-      done = read_colours(rows, width, height, options_.threshold, page);
+      done = read_colours(rows, width, height, options_, bytes_.size() + row,
+                          page);
     } else {
       Result<Bitmap> ink = Bitmap::create(width, height);
       if (!ink) return ink.error();

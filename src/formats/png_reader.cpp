@@ -123,6 +123,14 @@ class PngRows final : public ColourRows {
     return {};
   }
 
+  Status next_luminance(std::span<std::uint8_t> row) override {
+    if (channels_ != 1 || samples_are_16_bit_ || !image_.empty()) {
+      return ColourRows::next_luminance(row);
+    }
+    return file_->call(
+        [&] { png_read_row(file_->png(), row.data(), nullptr); });
+  }
+
   [[nodiscard]] PngFile& file() { return *file_; }
   [[nodiscard]] bool saw_alpha() const { return saw_alpha_; }
 
@@ -291,9 +299,10 @@ class PngSource final : public RasterSource {
 
   Status read_grey_or_colour(const PngShape& shape, RasterPage& page) {
     PngRows rows(bytes_, options_.limits);
-    if (Status read = read_colours(rows, static_cast<std::int32_t>(shape.width),
-                                   static_cast<std::int32_t>(shape.height),
-                                   options_.threshold, page);
+    if (Status read =
+            read_colours(rows, static_cast<std::int32_t>(shape.width),
+                         static_cast<std::int32_t>(shape.height), options_,
+                         bytes_.size() + std::uint64_t{shape.width} * 24, page);
         !read) {
       return read;
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "formats/binarise.h"
 #include "formats/raster_source.h"
 
 namespace unstep {
@@ -39,6 +40,7 @@ constexpr std::array kFormats{
     Format{"MM\0+"sv, "tiff"sv, open_tiff},
     Format{"BM"sv, "bmp"sv, open_bmp},
     Format{"\xff\xd8\xff"sv, "jpeg"sv, open_jpeg},
+    Format{"%PDF-"sv, "pdf"sv, open_pdf},
 };
 
 Error no_memory() {
@@ -50,6 +52,7 @@ Error no_memory() {
 struct RasterReader::Impl {
   std::unique_ptr<RasterSource> source;
   std::string_view format;
+  RasterReadOptions options;
 };
 
 RasterReader::RasterReader(std::unique_ptr<Impl> impl)
@@ -67,19 +70,27 @@ Result<RasterReader> RasterReader::open(std::vector<std::uint8_t> bytes,
         ErrorCode::out_of_range,
         "threshold " + std::to_string(threshold.level) + "; it is 1 to 255"};
   }
-  for (const Format& format : kFormats) {
-    if (!starts_with(bytes, format.magic)) continue;
-    try {
-      SourceResult source = format.open(std::move(bytes), options);
-      if (!source) return source.error();
-      return RasterReader(
-          std::make_unique<Impl>(Impl{std::move(*source), format.name}));
-    } catch (const std::bad_alloc&) {
-      return no_memory();
-    }
+  try {
+    std::string_view format;
+    SourceResult source = open_raster_source(std::move(bytes), options, format);
+    if (!source) return source.error();
+    return RasterReader(
+        std::make_unique<Impl>(Impl{*std::move(source), format, options}));
+  } catch (const std::bad_alloc&) {
+    return no_memory();
+  }
+}
+
+SourceResult open_raster_source(SourceBytes bytes,
+                                const RasterReadOptions& options,
+                                std::string_view& format) {
+  for (const Format& known : kFormats) {
+    if (!starts_with(bytes, known.magic)) continue;
+    format = known.name;
+    return known.open(std::move(bytes), options);
   }
   return Error{ErrorCode::bad_magic,
-               "not a PBM, PGM, PNG, TIFF, BMP or JPEG image"};
+               "not a PBM, PGM, PNG, TIFF, BMP, JPEG or PDF file"};
 }
 
 std::size_t RasterReader::page_count() const {
@@ -96,7 +107,11 @@ Result<RasterPage> RasterReader::read(std::size_t page) {
   }
   try {
     Result<RasterPage> read = impl_->source->read(page);
-    if (read) return read;
+    if (read) {
+      const Status finished = finish_pixels(impl_->options, *read);
+      if (finished) return read;
+      read = finished.error();
+    }
     Error error = read.error();
     error.message = "page " + std::to_string(page + 1) + ": " + error.message;
     return error;

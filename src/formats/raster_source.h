@@ -31,5 +31,12 @@ SourceResult open_png(SourceBytes bytes, const RasterReadOptions& options);
 SourceResult open_tiff(SourceBytes bytes, const RasterReadOptions& options);
 SourceResult open_bmp(SourceBytes bytes, const RasterReadOptions& options);
 SourceResult open_jpeg(SourceBytes bytes, const RasterReadOptions& options);
+SourceResult open_pdf(SourceBytes bytes, const RasterReadOptions& options);
+
+/// The reader for the bytes, by their content, and the name of the format. May
+/// throw std::bad_alloc.
+SourceResult open_raster_source(SourceBytes bytes,
+                                const RasterReadOptions& options,
+                                std::string_view& format);
 
 }  // namespace unstep

@@ -10,6 +10,7 @@
 #include "formats/text.h"
 #include "formats/tiff_handle.h"
 #include "formats/tiff_layout.h"
+#include "formats/tiff_photometric.h"
 #include "formats/tiff_rows.h"
 
 namespace unstep {
@@ -152,6 +153,9 @@ class TiffSource final : public RasterSource {
                              std::pair(weighted_luminance(one), one);
     keep_palette(zero_is_ink ? Palette{zero, one} : Palette{one, zero},
                  page.info.metadata);
+    if (page_count_ > 1 && shape.photometric == PHOTOMETRIC_MINISBLACK) {
+      page.info.metadata.emplace_back(kPhotometricKey, kZeroIsBlack);
+    }
     const auto used = (static_cast<std::size_t>(shape.width) + 7) / 8;
     for (std::int32_t y = 0; y < page.ink.height(); ++y) {
       const Result<std::span<const std::uint8_t>> row = rows.next();
@@ -172,9 +176,10 @@ class TiffSource final : public RasterSource {
         !fits) {
       return fits;
     }
-    Status read = read_colours(*rows, static_cast<std::int32_t>(shape.width),
-                               static_cast<std::int32_t>(shape.height),
-                               options_.threshold, page);
+    Status read =
+        read_colours(*rows, static_cast<std::int32_t>(shape.width),
+                     static_cast<std::int32_t>(shape.height), options_,
+                     bytes_.size() + rows->memory() + row, page);
     if (!read) return read;
     if (rows->saw_alpha()) {
       page.notes.emplace_back("transparent pixels shown over white");

@@ -9,6 +9,7 @@
 #include "formats/resolution.h"
 #include "formats/tiff_handle.h"
 #include "formats/tiff_layout.h"
+#include "formats/tiff_photometric.h"
 
 namespace unstep {
 namespace {
@@ -38,7 +39,7 @@ class TiffSink final : public RasterSink {
   Status add_page(const Bitmap& ink, const PageInfo& info,
                   std::vector<std::string>& notes) override {
     set_shape(ink);
-    set_colours(info);
+    const bool zero_is_black = set_colours(info);
     Resolution resolution;
     if (info.resolution.known()) {
       if (is_usable(info.resolution)) {
@@ -54,7 +55,7 @@ class TiffSink final : public RasterSink {
     std::vector<std::uint8_t> row((static_cast<std::size_t>(ink.width()) + 7) /
                                   8);
     for (std::int32_t y = 0; y < ink.height(); ++y) {
-      ink.get_row_bytes(y, row, false);
+      ink.get_row_bytes(y, row, zero_is_black);
       if (TIFFWriteScanline(tiff_.get(), row.data(),
                             static_cast<std::uint32_t>(y), 0) != 1) {
         return failure();
@@ -98,11 +99,18 @@ class TiffSink final : public RasterSink {
                  static_cast<int>(resolutions_.size() & 0xffff), 0);
   }
 
-  void set_colours(const PageInfo& info) {
+  /// True if ink is to be written as 0.
+  bool set_colours(const PageInfo& info) {
     const auto palette = find_palette(info.metadata);
     if (!palette) {
-      TIFFSetField(tiff_.get(), TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISWHITE);
-      return;
+      const bool zero_is_black = std::any_of(
+          info.metadata.begin(), info.metadata.end(), [](const auto& pair) {
+            return pair.first == kPhotometricKey && pair.second == kZeroIsBlack;
+          });
+      TIFFSetField(
+          tiff_.get(), TIFFTAG_PHOTOMETRIC,
+          zero_is_black ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_MINISWHITE);
+      return zero_is_black;
     }
     // Sample 0 stays the paper, whose runs G4 codes best.
     const auto both = [&palette](std::uint32_t (*sample)(Colour)) {
@@ -115,6 +123,7 @@ class TiffSink final : public RasterSink {
     TIFFSetField(tiff_.get(), TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_PALETTE);
     TIFFSetField(tiff_.get(), TIFFTAG_COLORMAP, red.data(), green.data(),
                  blue.data());
+    return false;
   }
 
   /// libtiff takes floats; finish() puts the exact rationals in their place.
@@ -142,7 +151,7 @@ class TiffSink final : public RasterSink {
     };
     if (!info.name.empty()) set(TIFFTAG_PAGENAME, "page name", info.name);
     for (const auto& [key, text] : info.metadata) {
-      if (key == kPaletteKey) continue;
+      if (key == kPaletteKey || key == kPhotometricKey) continue;
       const auto known = std::find_if(
           kTiffTextTags.begin(), kTiffTextTags.end(),
           [&key = key](const TiffTextTag& t) { return t.key == key; });

@@ -30,6 +30,18 @@ Result<ArcGeometry> check_arc(const Arc& arc);
 /// round(sqrt(value)). REQUIRES: 0 <= value < 2^61.
 [[nodiscard]] std::int64_t rounded_root(std::int64_t value);
 
+/// Where a walk begins and ends, in the frames of its first and last piece.
+struct ArcFrame {
+  std::int64_t a = 0;
+  std::int64_t b = 0;
+  std::int64_t axis_radius = 0;  ///< round(R), where axes are crossed
+  std::int64_t end_a = 0;
+  std::int64_t end_b = 0;
+  int crossings = 0;  ///< axes to cross
+  int turns = 0;      ///< quarter turns from plane to frame
+  bool mirrored = false;
+};
+
 /// Walks the pieces of an arc, one per quadrant. Each is turned (and, for
 /// counter-clockwise arcs, mirrored) into the first quadrant with a growing
 /// and b shrinking, from the axis b to the axis a. F = a^2 + b^2 - R^2.
@@ -43,6 +55,12 @@ Result<ArcGeometry> check_arc(const Arc& arc);
 class ArcWalk {
  public:
   explicit ArcWalk(const ArcGeometry& arc);
+
+  /// REQUIRES: advance() was not called yet.
+  [[nodiscard]] ArcFrame frame() const {
+    return {a_,     b_,         axis_radius_, end_a_,
+            end_b_, crossings_, turns_ % 4,   mirrored_};
+  }
 
   [[nodiscard]] std::int64_t a() const { return a_; }
   [[nodiscard]] std::int64_t b() const { return b_; }

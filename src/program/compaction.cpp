@@ -3,10 +3,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "program/arc_merge.h"
 #include "program/run_cover.h"
+#include "program/run_finder.h"
 #include "unstep/program.h"
 
 /// Runs of lines that nothing separates become fewer lines and arcs.
@@ -17,7 +20,6 @@ namespace {
 using Kind = ProgramItem::Kind;
 
 constexpr double kPerMm = static_cast<double>(kProgramUnitsPerMm);
-constexpr std::size_t kAxisE = 9;
 
 /// The tolerance is used but for this, in program units: more than rounding
 /// in doubles can make of it, 0.4 nm.
@@ -38,11 +40,26 @@ std::int64_t grid_of(int decimals, bool inches) {
   return grid;
 }
 
+std::uint64_t cutting_motions(const Program& program) {
+  return static_cast<std::uint64_t>(std::count_if(
+      program.items.begin(), program.items.end(), [](const ProgramItem& item) {
+        return item.is_motion() && item.kind != Kind::rapid;
+      }));
+}
+
+bool has_arcs_in_a_row(const Program& program) {
+  return std::adjacent_find(program.items.begin(), program.items.end(),
+                            [](const ProgramItem& a, const ProgramItem& b) {
+                              return a.is_arc() && a.kind == b.kind;
+                            }) != program.items.end();
+}
+
 class Compaction {
  public:
   Compaction(const Program& in, const CompactOptions& options)
       : in_(in),
         options_(options),
+        runs_(in, options.extrusion_tolerance),
         tolerance_(options.tolerance_mm * kPerMm - kMargin) {
     out_.text = in.text;
     out_.modes = in.modes;
@@ -57,7 +74,7 @@ class Compaction {
   Result<Program> make(CompactReport& report) {
     find_exact();
     for (std::size_t i = 0; i < in_.items.size();) {
-      const std::size_t end = run_end(i);
+      const std::size_t end = runs_.run_end(i);
       if (end > i) {
         write_run(i, end);
         i = end;
@@ -66,11 +83,9 @@ class Compaction {
         ++i;
       }
     }
-    for (const ProgramItem& item : in_.items) {
-      report.lines_before += item.is_motion() && item.kind != Kind::rapid;
-    }
+    report.lines_before = cutting_motions(in_);
+    report.lines_after = cutting_motions(out_);
     for (const ProgramItem& item : out_.items) {
-      report.lines_after += item.is_motion() && item.kind != Kind::rapid;
       report.arcs_after += item.is_arc();
     }
     return std::move(out_);
@@ -79,84 +94,6 @@ class Compaction {
  private:
   [[nodiscard]] const ProgramItem& before(std::size_t index) const {
     return index == 0 ? in_.start : in_.items[index - 1];
-  }
-
-  /// Only x, y and z move, and extrusion.
-  [[nodiscard]] bool others_rest(const ProgramItem& from,
-                                 const ProgramItem& to) const {
-    if (from.others == to.others) return true;
-    const ProgramOtherAxes& a = in_.others[from.others];
-    const ProgramOtherAxes& b = in_.others[to.others];
-    return std::equal(a.begin(), a.end() - 1, b.begin());
-  }
-
-  [[nodiscard]] std::int64_t extruded(const ProgramItem& from,
-                                      const ProgramItem& to) const {
-    return in_.others[to.others][kAxisE - 3] -
-           in_.others[from.others][kAxisE - 3];
-  }
-
-  /// A line that may be merged with its neighbours.
-  [[nodiscard]] bool is_mergeable(std::size_t index) const {
-    const ProgramItem& item = in_.items[index];
-    const ProgramItem& from = before(index);
-    return item.kind == Kind::line && !item.keep_text &&
-           item.known == from.known && item.modes == from.modes &&
-           others_rest(from, item);
-  }
-
-  /// One past the last line of the run that begins with item `begin`; `begin`
-  /// if it is none.
-  std::size_t run_end(std::size_t begin) const {
-    if (!is_mergeable(begin)) return begin;
-    const ProgramItem& first = in_.items[begin];
-    Extrusion extrusion;
-    std::size_t end = begin;
-    while (end < in_.items.size() && is_mergeable(end) &&
-           in_.items[end].feed == first.feed &&
-           in_.items[end].spindle == first.spindle &&
-           continues(extrusion, end)) {
-      ++end;
-    }
-    return std::max(end, begin + 1);
-  }
-
-  /// Extrusion per length so far.
-  struct Extrusion {
-    double length = 0;
-    double amount = 0;
-    bool any = false;
-  };
-
-  bool continues(Extrusion& so_far, std::size_t index) const {
-    const ProgramItem& from = before(index);
-    const ProgramItem& to = in_.items[index];
-    const auto amount = static_cast<double>(extruded(from, to));
-    const double length =
-        std::hypot(static_cast<double>(to.end[0] - from.end[0]),
-                   static_cast<double>(to.end[1] - from.end[1]),
-                   static_cast<double>(to.end[2] - from.end[2]));
-    // Where nothing moves but the filament, that is a motion of its own.
-    if (length == 0 && amount != 0) return false;
-    if (so_far.any) {
-      // Five decimals are what slicers write.
-      constexpr double kRounding = 1e-5 * kPerMm;
-      const double expected =
-          so_far.length > 0 ? so_far.amount / so_far.length * length : 0;
-      if (so_far.length > 0 && (amount == 0) != (so_far.amount == 0) &&
-          length > 0) {
-        return false;
-      }
-      if (so_far.length > 0 &&
-          std::abs(amount - expected) >
-              options_.extrusion_tolerance * std::abs(expected) + kRounding) {
-        return false;
-      }
-    }
-    so_far.any = true;
-    so_far.length += length;
-    so_far.amount += amount;
-    return true;
   }
 
   /// True if the position after the item must be the program's own: what
@@ -296,7 +233,8 @@ class Compaction {
     ProgramItem item = in_.items[begin + piece.last - 1];
     const bool moves =
         run_ends_[piece.last] != written_ ||
-        extruded(out_.items.empty() ? in_.start : out_.items.back(), item) != 0;
+        runs_.extruded(out_.items.empty() ? in_.start : out_.items.back(),
+                       item) != 0;
     item.end = run_ends_[piece.last];
     if (piece.is_arc) {
       item.kind = piece.arc.clockwise ? Kind::clockwise : Kind::counter;
@@ -312,6 +250,7 @@ class Compaction {
 
   const Program& in_;
   CompactOptions options_;
+  RunFinder runs_;
   double tolerance_;
   Program out_;
   std::array<std::int64_t, 3> written_{};  ///< where the output is
@@ -345,7 +284,16 @@ Result<Program> compact(const Program& program, const CompactOptions& options,
   }
   try {
     CompactReport done;
-    Result<Program> made = Compaction(program, options).make(done);
+    // Arcs keep their ends, so that what they use of the tolerance is theirs.
+    std::optional<Program> merged;
+    if (has_arcs_in_a_row(program)) {
+      merged = program;
+      merge_arcs(*merged, options.tolerance_mm * kPerMm - kMargin,
+                 options.rules);
+    }
+    Result<Program> made =
+        Compaction(merged ? *merged : program, options).make(done);
+    if (merged) done.lines_before = cutting_motions(program);
     if (made && options.rules.quadrants) {
       made = split_arcs(*made, options.rules);
     }

@@ -128,6 +128,47 @@ ArcPath without_arcs(LineVertices vertices) {
   return {std::move(vertices), std::move(parts), {}};
 }
 
+void drop_dear_arcs(ArcPath& path, const LinePrice& price) {
+  if (path.ring) return;
+  // About what a centre needs, more or less by the radius, and that it is one.
+  constexpr std::int32_t kCentre = 16 * LinePrice::kBit;
+  PathParts parts;
+  vectors::Vec before;
+  std::size_t start = 0;
+  const auto line_to = [&](std::size_t a, std::size_t b) {
+    return vectors::between(path.vertices[a].at, path.vertices[b].at);
+  };
+  const auto cost_of = [&](const vectors::Vec& after, const vectors::Vec& v) {
+    return price(price.after(after), static_cast<std::int32_t>(v.x),
+                 static_cast<std::int32_t>(v.y));
+  };
+  for (const PathPart& part : path.parts) {
+    bool keep = part.is_arc;
+    const vectors::Vec chord = line_to(start, part.end);
+    if (keep && !chord.zero()) {
+      std::int32_t lines = 0;
+      vectors::Vec last = before;
+      for (std::size_t i = start; i < part.end; ++i) {
+        const vectors::Vec v = line_to(i, i + 1);
+        lines += cost_of(last, v);
+        last = v;
+      }
+      keep = cost_of(before, chord) + kCentre < lines;
+    }
+    if (keep) {
+      parts.push_back(part);
+      before = chord;
+    } else {
+      for (std::size_t i = start; i < part.end; ++i) {
+        parts.push_back({i + 1, false, {}});
+        before = line_to(i, i + 1);
+      }
+    }
+    start = part.end;
+  }
+  path.parts = std::move(parts);
+}
+
 Path path_of(const ArcPath& from, bool closed) {
   Path path;
   path.closed = closed;

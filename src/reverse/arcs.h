@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reverse/arc_fit.h"
+#include "reverse/line_price.h"
 #include "reverse/tolerance_lines.h"
 
 namespace unstep::reverse {
@@ -50,6 +51,9 @@ ArcPath without_arcs(LineVertices vertices);
 std::uint64_t remove_crossing_arcs(std::span<ArcPath> paths,
                                    const std::vector<bool>& closed,
                                    std::int32_t scale);
+
+/// Puts lines back for arcs that cost more than those do.
+void drop_dear_arcs(ArcPath& path, const LinePrice& price);
 
 /// The path itself.
 Path path_of(const ArcPath& path, bool closed);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "reverse/chain_check.h"
 #include "reverse/chain_walk.h"
 #include "reverse/refine.h"
+#include "reverse/tolerance_cheap.h"
 #include "reverse/tolerance_free.h"
 #include "reverse/tolerance_lines.h"
 #include "reverse/tolerance_optimum.h"
@@ -57,16 +59,58 @@ LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options) {
   return free.size() < fewest.size() ? free : fewest;
 }
 
+bool is_cheap(const ToleranceOptions& options) {
+  return options.aim == LineAim::few_bytes && options.effort != Effort::fast;
+}
+
+/// Lines that cost few bits: priced by what one pass finds here and what lines
+/// usually are.
+std::vector<LineVertices> fit_cheap(std::span<const ChainWalk> chains,
+                                    const ToleranceOptions& options,
+                                    reverse::LinePrice& price) {
+  const PathTolerance tolerance = in_path_units(options.tolerance);
+  const bool wide = options.effort == Effort::max;
+  for (const ChainWalk& chain : chains) {
+    if (chain.closed() && chain.size() <= reverse::kSpeckSteps) continue;
+    price.count(reverse::fit_lines(chain, tolerance), chain.closed());
+  }
+  price.settle();
+  std::vector<LineVertices> lines;
+  for (int round = 0; round < (wide ? 3 : 2); ++round) {
+    if (round > 0) {
+      price = reverse::LinePrice();
+      for (std::size_t i = 0; i < chains.size(); ++i) {
+        const bool ring = chains[i].closed();
+        if (ring && chains[i].size() <= reverse::kSpeckSteps) continue;
+        price.count(lines[i], ring);
+      }
+      price.settle();
+    }
+    lines.clear();
+    lines.reserve(chains.size());
+    for (const ChainWalk& chain : chains) {
+      lines.push_back(reverse::fit_cheap_lines(chain, tolerance, price, wide));
+      lines.back().shrink_to_fit();
+    }
+  }
+  return lines;
+}
+
 /// Lines of the chains, which are valid; at a tolerance of at most 1 such that
 /// they do not cross where the chains do not.
 std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
                                   const ToleranceOptions& options,
+                                  std::optional<reverse::LinePrice>& price,
                                   ToleranceReport& report) {
   std::vector<LineVertices> lines;
-  lines.reserve(chains.size());
-  for (const ChainWalk& chain : chains) {
-    lines.push_back(fit(chain, options));
-    lines.back().shrink_to_fit();
+  if (is_cheap(options)) {
+    lines = fit_cheap(chains, options, price.emplace());
+  } else {
+    lines.reserve(chains.size());
+    for (const ChainWalk& chain : chains) {
+      lines.push_back(fit(chain, options));
+      lines.back().shrink_to_fit();
+    }
   }
   if (options.tolerance.numerator <= options.tolerance.denominator) {
     report.refined = reverse::refine_crossings(
@@ -80,6 +124,7 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
 std::vector<ArcPath> add_arcs(std::span<const ChainWalk> chains,
                               const ToleranceOptions& options,
                               std::vector<LineVertices> lines,
+                              const std::optional<reverse::LinePrice>& price,
                               ToleranceReport& report) {
   const std::int32_t scale = path_scale(options.tolerance);
   const reverse::ArcFitter fitter(in_path_units(options.tolerance), scale);
@@ -92,6 +137,7 @@ std::vector<ArcPath> add_arcs(std::span<const ChainWalk> chains,
         options.arcs ? reverse::fit_arcs(chains[i], fitter, std::move(lines[i]))
                      : reverse::without_arcs(std::move(lines[i])));
     lines[i] = {};
+    if (price) reverse::drop_dear_arcs(paths.back(), *price);
   }
   if (options.arcs &&
       options.tolerance.numerator <= options.tolerance.denominator) {
@@ -129,9 +175,10 @@ Result<Path> reverse_tolerance(const Chain& chain, YAxis axis,
   if (Status s = reverse::check_chain(chain, axis, scale); !s) return s.error();
   const ChainWalk walk(chain, axis, scale);
   ToleranceReport report;
-  std::vector<LineVertices> lines = fit_all({&walk, 1}, options, report);
+  std::optional<reverse::LinePrice> price;
+  std::vector<LineVertices> lines = fit_all({&walk, 1}, options, price, report);
   return reverse::path_of(
-      add_arcs({&walk, 1}, options, std::move(lines), report).front(),
+      add_arcs({&walk, 1}, options, std::move(lines), price, report).front(),
       chain.closed);
 }
 
@@ -158,8 +205,10 @@ Result<Drawing> reverse_tolerance(const Drawing& drawing,
     walks.emplace_back(chain, axis, result.scale);
   }
   ToleranceReport done;
+  std::optional<reverse::LinePrice> price;
+  std::vector<LineVertices> lines = fit_all(walks, options, price, done);
   std::vector<ArcPath> paths =
-      add_arcs(walks, options, fit_all(walks, options, done), done);
+      add_arcs(walks, options, std::move(lines), price, done);
   result.paths.reserve(paths.size());
   for (std::size_t i = 0; i < paths.size(); ++i) {
     result.paths.push_back(reverse::path_of(paths[i], walks[i].closed()));

@@ -1,6 +1,6 @@
-// Makes src/codec/warm_start_table.cpp from drawings:
+// Makes src/codec/warm_start_small.cpp or warm_start_large.cpp from drawings:
 //
-//     train_warm_start OUT.cpp IMAGE...
+//     train_warm_start small|large OUT.cpp IMAGE...
 //
 // Without images it writes the empty table.
 //
@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "codec/contour_coder.h"
@@ -33,7 +34,8 @@ using codec::StartModel;
 using codec::TurnModel;
 namespace warm = codec::warm;
 
-constexpr std::size_t kMaxRecords = 6900;  // 55,200 characters
+constexpr std::size_t kMaxSmall = 14000;  // records, of eight characters
+constexpr std::size_t kMaxLarge = 6900;
 constexpr double kMaxAge = 30;
 constexpr double kEnough = 6;  // observations per image that count in full
 
@@ -60,6 +62,7 @@ void add(Sum& sum, std::size_t node, std::uint16_t p, std::uint8_t n) {
 }
 
 struct Trainer {
+  bool small = true;
   std::array<Sums, warm::kContexts> sums;
   std::array<std::array<double, 2>, warm::kFlags> open{};
   std::array<std::array<double, 32>, 2> turn_weights{};
@@ -67,6 +70,10 @@ struct Trainer {
   std::array<double, 8> start_weights{};
   double start_votes = 0;
   bool forgotten = false;
+
+  [[nodiscard]] const warm::Table& start() const {
+    return small ? warm::kSmall : warm::kLarge;
+  }
 
   void learn(const TurnModel& turns, const StartModel& starts) {
     for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
@@ -96,7 +103,7 @@ struct Trainer {
       open[i][0] += counter.p / 65536.0 * counter.n;
       open[i][1] += counter.n;
     }
-    for (std::size_t s = 0; s < 3; ++s) {
+    for (std::size_t s = 0; s < TurnModel::kSets; ++s) {
       const auto ages = turns.mixer().ages(s);
       for (std::size_t k = 0; k < ages.size(); ++k) {
         const double votes = std::sqrt(ages[k]);
@@ -171,7 +178,7 @@ void Trainer::forget() {
   for (auto& counter : open) counter = {0, 0};
   for (auto& weights : turn_weights) {
     for (std::size_t i = 0; i < 32; ++i)
-      weights[i] = i % 16 >= 12 ? 0 : 410 * 4;
+      weights[i] = i % 16 >= warm::kTurnContexts ? 0 : 410 * 4;
   }
   turn_votes = {1, 1};
   for (std::size_t i = 0; i < 3; ++i) start_weights[i] = 1638 * 4;
@@ -184,21 +191,23 @@ double Trainer::least_score() const {
     for (const auto& [key, sum] : context) scores.push_back(sum.score);
   }
   std::sort(scores.rbegin(), scores.rend());
-  return scores.size() > kMaxRecords ? scores[kMaxRecords] : 0.0;
+  const std::size_t most = small ? kMaxSmall : kMaxLarge;
+  return scores.size() > most ? scores[most] : 0.0;
 }
 
 void Trainer::write(std::FILE* out) const {
-  const bool keep = !warm::kRecords.empty() && !forgotten;
+  const bool keep = !start().records.empty() && !forgotten;
   const double least = keep ? 0 : least_score();
-  std::string records(keep ? warm::kRecords : "");
+  std::string records(keep ? start().records : "");
   std::fprintf(out,
                "// Made by tests/bench/train_warm_start.sh; do not edit.\n"
                "// clang-format off\n"
                "#include \"codec/warm_start.h\"\n\n"
                "namespace unstep::codec::warm {\n\n"
-               "const std::array<std::uint16_t, kContexts> kCounts = {{\n   ");
+               "const Table %s = {\n    {{\n   ",
+               small ? "kSmall" : "kLarge");
   for (std::size_t i = 0; i < warm::kContexts; ++i) {
-    unsigned count = keep ? warm::kCounts[i] : 0U;
+    unsigned count = keep ? start().counts[i] : 0U;
     for (const auto& [key, sum] : sums[i]) {
       if (keep || sum.score <= least) continue;
       records += record(key, sum);
@@ -206,33 +215,27 @@ void Trainer::write(std::FILE* out) const {
     }
     std::fprintf(out, " %u,", count);
   }
-  std::fprintf(out, "\n}};\n\nconst std::string_view kRecords =\n");
+  std::fprintf(out, "\n    }},\n");
   for (std::size_t i = 0; i < records.size(); i += 72) {
     std::fprintf(out, "    \"%s\"\n", records.substr(i, 72).c_str());
   }
-  std::fprintf(out,
-               "    \"\";\n\nconst std::array<std::array<std::int16_t, "
-               "32>, 2> kTurnWeights = {{\n");
+  std::fprintf(out, "    \"\",\n    {{\n");
   for (const std::size_t node : {0U, 1U}) {
     write_weights(out, turn_weights[node], turn_votes[node]);
   }
-  std::fprintf(out,
-               "}};\n\nconst std::array<std::array<std::int16_t, 8>, 1> "
-               "kStartWeights = {{\n");
+  std::fprintf(out, "    }},\n    {{\n");
   write_weights(out, start_weights, start_votes);
-  std::fprintf(out,
-               "}};\n\nconst std::array<std::array<std::uint16_t, 2>, "
-               "kFlags> kFlagStart = {{\n");
+  std::fprintf(out, "    }},\n    {{\n");
   for (std::size_t i = 0; i < warm::kFlags; ++i) {
     const double n = open[i][1];
     const double p = (open[i][0] + 0.02) / (n + 2);
-    const long value = keep ? warm::kFlagStart[i][0] : std::lround(p * 65536);
+    const long value = keep ? start().flags[i][0] : std::lround(p * 65536);
     const long age =
-        keep ? warm::kFlagStart[i][1] : std::lround(std::min(n, 20.0));
+        keep ? start().flags[i][1] : std::lround(std::min(n, 20.0));
     std::fprintf(out, "    {%ld, %ld},%s", std::clamp(value, 2L, 60000L), age,
                  i % 4 == 3 ? "\n" : "");
   }
-  std::fprintf(out, "}};\n\n}  // namespace unstep::codec::warm\n");
+  std::fprintf(out, "    }}};\n\n}  // namespace unstep::codec::warm\n");
 }
 
 bool learn_file(const char* path, Trainer& trainer) {
@@ -244,7 +247,8 @@ bool learn_file(const char* path, Trainer& trainer) {
   Result<RasterPage> page = reader->read(0);
   if (!page) return false;
   return static_cast<bool>(codec::encode_and_show(
-      page->ink, [&](const TurnModel& turns, const StartModel& starts) {
+      page->ink, trainer.start(),
+      [&](const TurnModel& turns, const StartModel& starts) {
         trainer.learn(turns, starts);
       }));
 }
@@ -252,19 +256,22 @@ bool learn_file(const char* path, Trainer& trainer) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    std::fprintf(stderr, "usage: train_warm_start OUT.cpp [IMAGE...]\n");
+  const std::string_view name = argc < 3 ? "" : argv[1];
+  if (name != "small" && name != "large") {
+    std::fprintf(stderr,
+                 "usage: train_warm_start small|large OUT.cpp [IMAGE...]\n");
     return 2;
   }
   Trainer trainer;
-  if (argc == 2) trainer.forget();
-  for (int i = 2; i < argc; ++i) {
+  trainer.small = name == "small";
+  if (argc == 3) trainer.forget();
+  for (int i = 3; i < argc; ++i) {
     if (!learn_file(argv[i], trainer)) {
       std::fprintf(stderr, "cannot read %s\n", argv[i]);
       return 3;
     }
   }
-  std::FILE* out = std::fopen(argv[1], "w");
+  std::FILE* out = std::fopen(argv[2], "w");
   if (out == nullptr) return 4;
   trainer.write(out);
   return std::fclose(out) == 0 ? 0 : 4;

@@ -1,25 +1,32 @@
 #!/usr/bin/env bash
-# Makes src/codec/warm_start_table.cpp anew from drawings:
+# Makes src/codec/warm_start_small.cpp and warm_start_large.cpp anew:
 #
 #     tests/bench/train_warm_start.sh FOLDER [BUILD]
 #
 # Takes every second image of each sub-folder of FOLDER, so that the other half
-# stays unseen for measuring. Two passes: records, then mixer weights.
+# stays unseen for measuring: those in files below 10 kB for the small
+# table, all for the large one. Two passes each: records, then mixer weights.
 set -euo pipefail
 folder=${1:?usage: train_warm_start.sh FOLDER [BUILD]}
 root=$(cd "$(dirname "$0")/../.." && pwd)
 build=${2:-$root/build/dev}
-table=$root/src/codec/warm_start_table.cpp
 mapfile -t images < <(
   find "$folder" -mindepth 1 -maxdepth 1 -type d | sort | while read -r set; do
     find "$set" -type f \( -name '*.tif' -o -name '*.png' -o -name '*.pbm' \) |
       LC_ALL=C sort | awk 'NR % 2 == 1'
   done)
-train() {
+mapfile -t small < <(
+  for image in "${images[@]}"; do
+    if [ "$(stat -c %s "$image")" -lt 10000 ]; then echo "$image"; fi
+  done)
+train() { # train small|large IMAGE...
   cmake --build "$build" --target train_warm_start
-  "$build/tests/bench/train_warm_start" "$table" "$@"
+  "$build/tests/bench/train_warm_start" "$1" \
+    "$root/src/codec/warm_start_$1.cpp" "${@:2}"
 }
-train
-train "${images[@]}"
-train "${images[@]}"
-echo "trained on ${#images[@]} images: $table"
+for name in small large; do train "$name"; done
+train small "${small[@]}"
+train small "${small[@]}"
+train large "${images[@]}"
+train large "${images[@]}"
+echo "trained on ${#small[@]} and ${#images[@]} images"

@@ -50,7 +50,7 @@ def measure_page(options, pbm, tolerance, scratch):
     row = {
         "ustp": os.path.getsize(out("a.ustp")),
         "svg": zipped(out("a.svg")),
-        "elements": info[0]["lines"] + info[0]["arcs"],
+        "elements": info[0].get("lines", 0) + info[0].get("arcs", 0),
         "deviation": float(found.group(1)) if found else 0.0,
     }
     if options.potrace:

@@ -103,7 +103,8 @@ class Compress(harness.CliTest):
             "paths": 0, "lines": 0, "arcs": 0, "tolerance": None,
             "input_bytes": len(self.image), "packed_bytes": 150,
             "output_bytes": os.path.getsize(self.path("page.ustp")),
-            "lossless": True, "verified": True, "notes": []})
+            "lossless": True, "pixel_work": [], "exact_from_there": True,
+            "verified": True, "notes": []})
 
     def test_grey_needs_a_threshold(self):
         self.write("grey.pgm", b"P5\n4 1\n255\n" + bytes([0, 90, 180, 255]))

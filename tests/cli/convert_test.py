@@ -39,7 +39,7 @@ class Convert(harness.CliTest):
         return result
 
     def test_the_same_as_through_a_file(self):
-        self.compress("a.pbm", "--tolerance", "1")
+        self.compress("a.pbm", "--tolerance", "1", "--effort", "fast")
         for word in ["svg", "json"]:
             self.expect(["decompress", "a.ustp", "--to", word, "-q"])
             self.expect(["convert", "a.pbm", f"b.{word}", "--tolerance", "1",
@@ -76,7 +76,7 @@ class Convert(harness.CliTest):
 
     def test_steps_of_vectors_become_lines_again(self):
         result = self.run_cli("compress", "part.svg", "--grid", "0.1mm",
-                              "--tolerance", "1", "--json")
+                              "--tolerance", "1", "--json", "--effort", "fast")
         self.assertEqual((result.code, result.err), (0, ""))
         report = json.loads(result.out)
         self.assertEqual((report["paths"], report["lines"], report["arcs"]),
@@ -108,7 +108,7 @@ class Convert(harness.CliTest):
                 (["a.pbm", "-"], "standard output needs --to FORMAT"),
                 (["a.pbm", "a.ustp"], ".ustp files are made by compress"),
                 (["a.pbm", "a.xyz"], "a.xyz: the name's ending is not png, "
-                 "pbm, tif, svg, dxf, pdf, hpgl, json or fc; say --to "
+                 "pbm, tif, svg, dxf, pdf, hpgl, json, fc or ngc; say --to "
                  "FORMAT")]:
             self.expect_error(["convert", *args], 2, f"unstep: {reason} "
                               "(see unstep convert --help)\n")

@@ -50,7 +50,7 @@ class Decompress(harness.CliTest):
         self.expect_error(
             ["decompress", "page.ustp", "-o", "a.jpg"], 2,
             "unstep: a.jpg: the name's ending is not png, pbm, tif, svg, dxf, "
-            "pdf, hpgl, json or fc; say --to FORMAT (see unstep decompress "
+            "pdf, hpgl, json, fc or ngc; say --to FORMAT (see unstep decompress "
             "--help)\n")
 
     def test_pages_to_png_are_numbered(self):

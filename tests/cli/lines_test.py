@@ -51,11 +51,20 @@ class Lines(harness.CliTest):
 
     def test_the_report_names_lines_and_bound(self):
         result = self.run_cli("compress", "boxes.pbm", "--tolerance", "1.5",
-                              "--no-arcs")
+                              "--no-arcs", "--effort", "fast")
         self.assertEqual((result.code, result.err), (0, ""))
         self.assertRegex(result.out, r"^boxes.pbm -> boxes.ustp: 1 page, "
                          r"90 x 70 px, \d+ paths?, \d+ lines within 1.5 px, "
                          r"\d+ bytes, .* verified\n$")
+
+    def test_a_page_that_is_smaller_than_its_lines_stays_exact(self):
+        report = self.report("boxes.pbm", "--tolerance", "1")
+        self.assertTrue(report["lossless"])
+        exact = self.report("boxes.pbm", "-o", "exact.ustp")
+        self.assertEqual(report["output_bytes"], exact["output_bytes"])
+        lines = self.report("boxes.pbm", "--tolerance", "1", "--effort", "fast")
+        self.assertFalse(lines["lossless"])
+        self.assertGreater(lines["output_bytes"], exact["output_bytes"])
 
     def test_ink_comes_back_near_its_edges(self):
         self.compress("disc.pbm", "--tolerance", "1")
@@ -83,7 +92,7 @@ class Lines(harness.CliTest):
             r"disc.pbm and disc.ustp are the same within the bound: 1 page\n$")
 
     def test_verify_finds_what_is_beyond_the_bound(self):
-        self.compress("disc.pbm", "--tolerance", "0.5")
+        self.compress("disc.pbm", "--tolerance", "0.5", "--effort", "fast")
         rows = disc(40)
         rows[42] = "".join("#" * 60 + rows[42][60:])
         self.write("other.pbm", pbm(rows))

@@ -72,6 +72,189 @@ class Programs(harness.CliTest):
         self.assertEqual(result.code, 2)
         self.assertIn("give --tolerance in mm or in", result.err)
 
+    def test_units_are_converted(self):
+        self.given("in.ngc", "G21\nG0 X25.4 Y0\nG1 X50.8 F254\nM2\n")
+        result = self.run_cli("convert", "in.ngc", "out.ngc", "--units", "inch")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.text("out.ngc"),
+                         "G21\nG20 G0 X1 Y0\nG1 X2 F10\nG21\nM2\n")
+
+
+SVG = ('<svg xmlns="http://www.w3.org/2000/svg"%s viewBox="0 0 50 40">'
+       '<path fill="none" stroke="black" '
+       'd="M5 5h20a5 5 0 0 1 5 5v10z"/></svg>')
+
+class Stored(harness.CliTest):
+    def given(self, name, text):
+        self.write(name, text.encode())
+
+    def text(self, name):
+        return self.read(name).decode()
+
+    def test_a_program_is_stored_and_comes_back(self):
+        self.given("in.ngc", "(top)\nG21 g90\nG00 X0 Y0\nN5 G01 X10.50 F600\n"
+                             "X20 Z-1\nM2\n")
+        result = self.run_cli("compress", "in.ngc")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertRegex(result.out, r"^in\.ngc -> in\.ustp: 1 page, 6 lines, "
+                                     r"\d+ bytes, [\d.]+ % of 54, verified\n$")
+        result = self.run_cli("decompress", "in.ustp", "-o", "out.ngc")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.text("out.ngc"),
+                         "(top)\nG21 g90\nG0 X0 Y0\nG1 X10.5 F600\n"
+                         "X20 Z-1\nM2\n")
+        result = self.run_cli("verify", "in.ngc", "in.ustp")
+        self.assertEqual(result.out,
+                         "in.ngc and in.ustp are the same: 1 page\n")
+        result = self.run_cli("info", "in.ustp")
+        self.assertIn("page 1: program\n", result.out)
+        self.assertIn("6 lines, 48 bytes of text", result.out)
+
+    def test_a_program_is_shortened_on_its_way(self):
+        self.given("in.ngc", circle(300))
+        result = self.run_cli("compress", "in.ngc", "--tolerance", "0.005mm")
+        self.assertEqual(result.code, 0, result.err)
+        self.assertIn("5 lines within 0.005 mm", result.out)
+        # Its own ending is the natural one, and any form can be asked for.
+        self.run_cli("decompress", "in.ustp", "-o", "out.nc")
+        self.assertEqual(self.text("out.nc").count("\n"), 5)
+        result = self.run_cli("convert", "in.ustp", "r.nc", "--arc-words", "r")
+        self.assertEqual(result.code, 0, result.err)
+        self.assertIn(" R19.99", self.text("r.nc"))
+        result = self.run_cli("decompress", "in.ustp", "--to", "svg")
+        self.assertEqual(result.code, 0, result.err)
+        result = self.run_cli("verify", "in.ngc", "in.ustp")
+        self.assertEqual(result.code, 1)
+
+    def test_drawings_are_no_programs(self):
+        self.write("in.svg", (SVG % ' width="50mm" height="40mm"').encode())
+        self.run_cli("compress", "in.svg")
+        result = self.run_cli("decompress", "in.ustp", "-o", "out.ngc")
+        self.assertEqual(result.code, 3)
+        self.assertIn("unstep convert makes programs", result.err)
+        self.assertNotIn("out.ngc", self.names())
+
+
+class Steps(harness.CliTest):
+    def given(self, name, text):
+        self.write(name, text.encode())
+
+    def text(self, name):
+        return self.read(name).decode()
+
+    def test_a_program_becomes_steps_and_comes_back(self):
+        text = ("G21 G90 G17 G94\nG0 X0 Y0\nG1 X1 Y0.5 F1000\n"
+                "X1.2 Y-0.73\nG0 X0 Y0\n")
+        self.given("in.ngc", text + "M2\n")
+        result = self.run_cli("steps", "in.ngc", "-o", "a.steps")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertRegex(result.out, r"^in\.ngc -> a\.steps: \d+ steps, 2 axes, "
+                                     r"\d+ bytes\n$")
+        for name in ("a.csv", "a.vcd"):
+            result = self.run_cli("steps", "a.steps", "-o", name)
+            self.assertEqual((result.code, result.err), (0, ""))
+            result = self.run_cli("steps", name, "-o", "back.ngc", "--force")
+            self.assertEqual((result.code, result.err), (0, ""))
+            self.assertEqual(self.text("back.ngc"), text + "M2\n")
+
+    def test_steps_take_the_time_of_the_machine(self):
+        self.given("in.ngc", "G0 X0 Y0\nG1 X10 F600\n")
+        result = self.run_cli("steps", "in.ngc", "-o", "a.csv", "--timed",
+                              "--acceleration", "100")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertIn(", 1.100 s\n", result.out)
+
+    def test_a_drawing_becomes_steps(self):
+        self.write("in.svg", (SVG % ' width="50mm" height="40mm"').encode())
+        result = self.run_cli("steps", "in.svg", "-o", "a.csv", "--step",
+                              "5mm", "-q")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertTrue(self.text("a.csv").startswith(
+            "# unstep step 5 origin 0 0\nx,y,rapid\n0,1,1\n0,1,1\n0,1,1\n1,1,1\n"))
+
+    def test_firmware_gets_its_payload(self):
+        self.given("in.ngc", "G0 X0 Y0\nG1 X0.03 Y0.01 F600\n")
+        result = self.run_cli("steps", "in.ngc", "-o", "a.dev")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.read("a.dev")[:4], b"\x01\x03\x01\x00")
+        result = self.run_cli("steps", "a.dev", "-o", "a.raw")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.read("a.raw"), b"\x01\x05\x01")
+
+    def test_bad_streams_leave_nothing_behind(self):
+        self.given("a.csv", "x,y\n1,0\n2,0\n")
+        result = self.run_cli("steps", "a.csv", "-o", "out.ngc")
+        self.assertEqual(result.code, 3)
+        self.assertEqual(result.err,
+                         "unstep: a.csv: line 3: a step is -1, 0 or 1\n")
+        self.assertEqual(self.names(), ["a.csv"])
+
+
+PENS = "unstep: warning: in.svg: widths of pens are not kept\n"
+
+
+class Drawings(harness.CliTest):
+    def setUp(self):
+        super().setUp()
+        self.write("in.svg", (SVG % ' width="50mm" height="40mm"').encode())
+
+    def text(self, name):
+        return self.read(name).decode()
+
+    def test_a_laser_draws_lines_and_arcs(self):
+        result = self.run_cli("convert", "in.svg", "out.nc", "--profile",
+                              "laser", "--feed", "1500mm", "--power", "300")
+        self.assertEqual((result.code, result.err), (0, PENS))
+        self.assertEqual(result.out,
+                         "in.svg -> out.nc: 5 motions, 85 bytes\n")
+        self.assertEqual(
+            self.text("out.nc"),
+            "G21 G90 G17 G94\nM5\nG0 X5 Y35\nM3 S300\nG1 X25 F1500\n"
+            "G2 X30 Y30 J-5\nG1 Y20\nX5 Y35\nM5\nM2\n")
+
+    def test_a_tool_goes_down_and_up(self):
+        result = self.run_cli("convert", "in.svg", "out.ngc", "--cut-z", "-2",
+                              "--travel-z", "3mm", "--spindle", "8000")
+        self.assertEqual((result.code, result.err), (0, PENS))
+        self.assertEqual(
+            self.text("out.ngc"),
+            "G21 G90 G17 G94\nG0 Z3\nM3 S8000\nX5 Y35\nG1 Z-2 F300\n"
+            "X25 F1000\nG2 X30 Y30 J-5\nG1 Y20\nX5 Y35\nG0 Z3\nM5\nM2\n")
+
+    def test_lines_of_ones_own_switch_the_tool(self):
+        result = self.run_cli("convert", "in.svg", "out.nc", "--profile",
+                              "plotter", "--tool-on", r"M3 S90\nG4 P0.2",
+                              "--tool-off", "M3 S0", "--header", "(pen)")
+        self.assertEqual((result.code, result.err), (0, PENS))
+        self.assertEqual(
+            self.text("out.nc"),
+            "(pen)\nG21 G90 G17 G94\nM3 S0\nG0 X5 Y35\nM3 S90\nG4 P0.2\n"
+            "G1 X25 F1000\nG2 X30 Y30 J-5\nG1 Y20\nX5 Y35\nM3 S0\nM2\n")
+
+    def test_the_size_must_be_known(self):
+        self.write("in.svg", (SVG % "").encode())
+        result = self.run_cli("convert", "in.svg", "out.nc")
+        self.assertEqual(result.code, 2)
+        self.assertIn("--unit-size", result.err)
+        self.assertEqual(self.names(), ["in.svg"])
+        result = self.run_cli("convert", "in.svg", "out.nc", "--unit-size",
+                              "2mm")
+        self.assertEqual(result.code, 0)
+        self.assertIn("G0 Z5\nX10 Y70\n", self.text("out.nc"))
+
+    def test_a_program_becomes_its_drawing(self):
+        self.run_cli("convert", "in.svg", "a.ngc", "--profile", "plotter")
+        result = self.run_cli("convert", "a.ngc", "out.svg")
+        self.assertEqual(result.code, 0)
+        self.assertEqual(
+            result.err,
+            "unstep: warning: a.ngc: Z is not in a drawing\n"
+            "unstep: warning: a.ngc: feed and spindle are not in a drawing\n"
+            "unstep: warning: a.ngc: 3 rapids are not drawn\n")
+        self.assertIn("h20a5 5 0 0 1 5 5v10z", self.text("out.svg"))
+        self.run_cli("convert", "out.svg", "b.ngc", "--profile", "plotter")
+        self.assertIn("G2 X25 Y10 J-5", self.text("b.ngc"))
+
 
 if __name__ == "__main__":
     unittest.main()

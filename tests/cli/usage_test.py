@@ -65,7 +65,18 @@ class Usage(harness.CliTest):
         for value in ["0", "256", "dark", "-3"]:
             self.bad_option(
                 "--threshold", value,
-                f"'{value}' is neither a level of 1 to 255 nor otsu")
+                f"'{value}' is neither a level of 1 to 255 nor auto, otsu, "
+                "sauvola or local")
+        self.bad_option("--invert", "maybe", "'maybe' is not auto, yes or no")
+        self.bad_option("--despeckle", "2M",
+                        "'2M' is not within 0 to 1000000")
+
+    def test_bad_decoding(self):
+        self.bad_option("--channels", "a", "'a' is not A,B or XA,XB,YA,YB")
+        self.bad_option("--counts", "x3", "'x3' is not x1, x2 or x4")
+        for value in ["1", "2,1", "1,1", "a,b", "1,2,3"]:
+            self.bad_option("--trigger", value,
+                            f"'{value}' is not LOW,HIGH, the lower first")
 
     def test_bad_metadata(self):
         self.bad_option("--meta", "title", "'title' is not key=value")
@@ -84,7 +95,7 @@ class Usage(harness.CliTest):
         self.expect_error(
             ["decompress", "a.ustp", "--to", "jpg"], 2,
             "unstep: --to: 'jpg' is not png, pbm, tif, svg, dxf, pdf, hpgl, "
-            "json or fc (see unstep decompress --help)\n")
+            "json, fc or ngc (see unstep decompress --help)\n")
 
 
 if __name__ == "__main__":

@@ -116,6 +116,9 @@ class Mixer:
                      for size in sizes]
 
     def predict(self, x, chosen):
+        return squash(self.mean(x, chosen))
+
+    def mean(self, x, chosen):
         self.x = x
         self.vectors = [s[c] for s, c in zip(self.sets, chosen)]
         self.outputs = []
@@ -124,7 +127,7 @@ class Mixer:
             self.outputs.append(clamp(signed32(total) >> 14, -3071, 3071))
         total = sum(self.outputs)
         mean = abs(total) // len(self.outputs)
-        return squash(mean if total >= 0 else -mean)
+        return mean if total >= 0 else -mean
 
     def learn(self, bit):
         for vector, o in zip(self.vectors, self.outputs):
@@ -134,3 +137,24 @@ class Mixer:
             vector[:] = ([clamp(b + ((8 * a * step >> 16) + 1 >> 1),
                                 -32768, 32767)
                           for a, b in zip(self.x, w)], min(60000, age + 1))
+
+
+class Refiner:
+    """Refiner."""
+
+    def __init__(self):
+        self.contexts = {}
+
+    def refine(self, x, context):
+        if context not in self.contexts:
+            self.contexts[context] = [[squash(256 * k - 2048), 20]
+                                      for k in range(17)]
+        a = clamp(x, -2048, 2047) + 2048
+        k, f = a // 256, a % 256
+        self.counters = self.contexts[context][k:k + 2]
+        return ((256 - f) * self.counters[0][0]
+                + f * self.counters[1][0]) // 256
+
+    def learn(self, bit):
+        for counter in self.counters:
+            update(counter, bit)

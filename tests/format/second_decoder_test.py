@@ -1,4 +1,4 @@
-"""docs/format.md is enough to write a decoder of coder 1 from: the one here
+"""docs/format.md is enough to write a decoder of ink from: the one here
 agrees with the program, and the example of the page is what both do."""
 
 import os
@@ -9,8 +9,11 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from decode_ink import varint  # pylint: disable=wrong-import-position
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-DECODER = pathlib.Path(__file__).parent / "decode_contours.py"
+DECODER = pathlib.Path(__file__).parent / "decode_ink.py"
 PROGRAM = os.environ["UNSTEP_PROGRAM"]
 
 
@@ -30,6 +33,43 @@ def scattered(width, height):
         return mixed % 11 < 2 or (x * y) % 59 == 1
     return pbm(["".join("#" if ink(x, y) else "." for x in range(width))
                 for y in range(height)])
+
+
+LETTERS = (
+    ("..####..", ".##..##.", "##....##", "##....##", "##....##", "##....##",
+     ".##..##.", "..####.."),
+    ("######..", "##...##.", "##...##.", "######..", "##...##.", "##....##",
+     "##...##.", "######.."),
+    ("##......", "##......", "##......", "##......", "##......", "##......",
+     "########", "########"),
+    ("..#..", ".#.#.", "#...#", ".#.#.", "..#.."),
+    ("######", "..##..", "..##..", "..##..", "..##..", "..##..", "..##..",
+     "..##..", "..##..", "######"))
+
+
+def text(width, height, rough):
+    """Lines of letters, of different heights and with holes; every `rough`th
+    one has another pixel. A ring around some, and a line below, are no
+    shapes."""
+    page = [[0] * width for _ in range(height)]
+    count = 0
+    for bottom in range(14, height - 5, 15):
+        x = 3 + bottom % 7
+        while x < width - 12:
+            letter = LETTERS[(count * 7 + bottom) * 2654435761 % 2**32 % 5]
+            top = bottom - len(letter) + count % 13 // 12
+            for j, row in enumerate(letter):
+                for i, pixel in enumerate(row):
+                    page[top + j][x + i] = int(pixel == "#")
+            if count % rough == 0:
+                page[top + count % 5][x + count % 6 - 1] ^= 1
+            x += len(letter[0]) + 2 + 7 * (count % 6 == 5)
+            count += 1
+    for x in range(width):
+        page[height - 3][x] = 1
+    for y in range(height):
+        page[y][0] = page[y][width - 1] = 1
+    return pbm(["".join(".#"[p] for p in row) for row in page])
 
 
 class SecondDecoder(unittest.TestCase):
@@ -60,9 +100,13 @@ class SecondDecoder(unittest.TestCase):
         self.assertEqual(pathlib.Path(self.path("second.pbm")).read_bytes(),
                          pathlib.Path(self.path("first.pbm")).read_bytes())
 
-    def check_agrees_on_pixels(self, data):
+    def check_agrees_on_pixels(self, data, *options, coder=1):
         pathlib.Path(self.path("a.pbm")).write_bytes(data)
-        self.check_agrees(self.path("a.pbm"))
+        self.check_agrees(self.path("a.pbm"), *options)
+        file = pathlib.Path(self.path("a.ustp")).read_bytes()
+        width, at = varint(file, 5)
+        height, at = varint(file, at)
+        self.assertEqual(file[at] & 31, coder)
 
     def test_pen_stroke(self):
         self.check_agrees(str(ROOT / "samples/glyph.pbm"))
@@ -72,6 +116,23 @@ class SecondDecoder(unittest.TestCase):
 
     def test_blots_across_word_ends(self):
         self.check_agrees_on_pixels(scattered(130, 37))
+
+    def test_text_with_few_and_with_many_other_pixels(self):
+        self.check_agrees_on_pixels(text(256, 110, 9), coder=2)
+        self.check_agrees_on_pixels(text(240, 110, 2), coder=2)
+
+    def test_efforts(self):
+        self.check_agrees_on_pixels(text(250, 110, 5), "--effort", "max",
+                                    coder=2)
+        for effort in ("max", "fast"):
+            self.check_agrees_on_pixels(scattered(70, 30), "--effort", effort)
+
+    def test_large_page(self):
+        """That starts with the other half of the table."""
+        rows = ["." * 2000] * 1001
+        rows[7] = "." * 900 + "##.####.####...###" * 5 + "." * 1010
+        rows[8] = rows[7].replace("##.#", "####")
+        self.check_agrees_on_pixels(pbm(rows))
 
     def test_smallest_sides(self):
         self.check_agrees_on_pixels(pbm(["#"]))

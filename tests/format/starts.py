@@ -11,7 +11,7 @@ class StartModel:
         self.columns = {}  # (colour, word): (row, point) of the last far start
         self.groups = [{}, {}, {}]
         for group, b, records in zip(self.groups, (16, 14, 14),
-                                     table.groups[12:]):
+                                     table.groups[15:]):
             for index, _, p, n in records:
                 group[index >> (16 - b)] = [p[0], n[0]]
         self.mixer = Mixer((64,), table.start)

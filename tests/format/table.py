@@ -5,35 +5,29 @@ import zlib
 
 from entropy import Damaged, squash
 
-SOURCE = (pathlib.Path(__file__).resolve().parents[2]
-          / "src/codec/warm_start_table.cpp")
-CRC = 0x28CD8FB2
+FOLDER = pathlib.Path(__file__).resolve().parents[2] / "src/codec"
+CRC = {"small": 0x619FB32C, "large": 0xD3B15ED2}
 
 
 class Table:
     AGES = (0, 1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 18, 22, 26, 30, 40)
 
-    def __init__(self):
-        text = SOURCE.read_text("ascii")
-
-        def numbers(name):
-            body = re.search(name + r" = \{\{(.*?)\}\};", text, re.S)[1]
-            return [int(v) for v in re.findall(r"-?\d+", body)]
-
-        body = re.search(r"kRecords =(.*?)\";\n", text, re.S)[1] + '"'
-        records = "".join(re.findall(r'"([^"]*)"', body))
-        if zlib.crc32(records.encode()) != CRC:
-            raise Damaged(f"{SOURCE} is not table 1")
+    def __init__(self, part):
+        source = FOLDER / f"warm_start_{part}.cpp"
+        text = source.read_text("ascii").split("const Table ")[1]
+        records = "".join(re.findall(r'"([^"]*)"', text))
+        if zlib.crc32(records.encode()) != CRC[part]:
+            raise Damaged(f"{source} is not table 1")
+        counts, turn, start, flags = (
+            [int(v) for v in re.findall(r"-?\d+", body)] for body in
+            re.findall(r"{{(.*?)}}", re.sub(r'"[^"]*"', "", text), re.S))
         self.groups, at = [], 0
-        for count in numbers("kCounts"):
+        for count in counts:
             self.groups.append([self.record(records[i:i + 8]) for i in
                                 range(at, at + 8 * count, 8)])
             at += 8 * count
-        turn = numbers("kTurnWeights")
-        self.turn, self.start = (turn[:32], turn[32:]), (
-            numbers("kStartWeights"),)
-        flat = numbers("kFlagStart")
-        self.flags = [list(pair) for pair in zip(flat[::2], flat[1::2])]
+        self.turn, self.start = (turn[:32], turn[32:]), (start,)
+        self.flags = [list(pair) for pair in zip(flags[::2], flags[1::2])]
 
     def record(self, characters):
         bits = 0

@@ -1,6 +1,7 @@
 """Sections "State", "Surroundings", "Turn" and "Fast turns" of
 docs/format.md."""
-from entropy import (K, M64, STRETCH, Mixer, clamp, move, squash, top,
+from curve import Curve
+from entropy import (K, M64, STRETCH, Mixer, Refiner, clamp, move, squash, top,
                      update)
 from segment import Match, Segment
 
@@ -41,26 +42,21 @@ class Walker:
 
 
 class TurnModel(Walker):
-    FEWER = (1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 1)
+    FEWER = (1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 1, 2, 0, 0)
 
-    def __init__(self, cracks, table_bits, table, contexts):
-        self.cracks, self.count = cracks, contexts
-        self.bits = [table_bits - fewer for fewer in self.FEWER[:contexts]]
+    def __init__(self, cracks, table_bits, table):
+        self.cracks = cracks
+        self.bits = [table_bits - fewer for fewer in self.FEWER]
         self.slots = [{} for _ in self.bits]
         for slots, b, records in zip(self.slots, self.bits,
-                                     table.groups[:12]):
+                                     table.groups[:15]):
             for index, check, p, n in records:
                 slots[(index << 12 | check) >> (28 - b)] = [
                     check + 1, [p[0], n[0]], [p[1], n[1]]]
         self.gates = {}
-        self.mixer = Mixer((64, 1024, 1024), self.weights(table.turn))
+        self.mixer = Mixer((64, 1024, 1024), table.turn)
+        self.refiners = Refiner(), Refiner()
         self.match = Match()
-
-    def weights(self, vectors):
-        if self.count == 12:
-            return vectors
-        return [v[:12] + [200] * 4 + v[16:28] + [200] * 4 + v[12:14] + [0] * 6
-                for v in vectors]
 
     def begin(self, x, y, ink):
         self.x, self.y, self.direction, self.ink = x, y, 0, ink
@@ -68,6 +64,9 @@ class TurnModel(Walker):
         self.trail = [(0, 0, 0), (1, 0, 0)]
         self.segment = Segment()
         self.segment.push(0)
+        self.curve = Curve()
+        self.curve.step(0, 1, 0, self.gaps(x, y, 0))
+        self.x += 1
 
     def advance(self, t):
         self.match.push(t)
@@ -82,6 +81,9 @@ class TurnModel(Walker):
         X, Y, A = self.trail[-1]
         dx, dy = DX[self.direction], DY[self.direction]
         self.trail.append((X + dx, Y + dy, A + Y * dx - X * dy))
+        self.curve.step(self.direction, X + dx, Y + dy,
+                        self.gaps(self.x, self.y, self.direction))
+        self.x, self.y = self.x + dx, self.y + dy
 
     def last(self, turns):
         return self.history & ((1 << 2 * turns) - 1)
@@ -121,8 +123,24 @@ class TurnModel(Walker):
                 return distance, 64 * distance + six
         return 0, 0
 
+    def gaps(self, x, y, direction):
+        x, y, plane = self.cracks.leaving(x, y, direction)
+        known = self.cracks.known
+        return tuple(
+            next((d for d in range(1, 41) if (
+                (x + s * d, y, 1) if plane else (x, y + s * d, 0)) in known), 0)
+            for s in (1, -1))
+
+    def expects(self):
+        X, Y, _ = self.trail[-1]
+        x, y, _ = self.trail[max(0, len(self.trail) - 17)]
+        axis = 0 if abs(X - x) >= abs(Y - y) else 1
+        return self.curve.expects(
+            axis, self.direction, X, Y,
+            self.gaps(self.x, self.y, self.curve.heading(axis)))
+
     def contexts(self, patch):
-        """The values v and the vectors of node 0."""
+        """The values v, the vectors and the refiners' contexts of node 0."""
         ahead = self.ahead(patch)
         d_right, R = self.sight(1)
         d_left, L = self.sight(-1)
@@ -130,6 +148,7 @@ class TurnModel(Walker):
         verdict = self.segment.verdict(self.direction)
         history, chord, bulge = self.last, self.chord, self.bulge
         run, near = self.run, patch & self.NEAR
+        curve, right, left = self.expects()
 
         values = [
             history(12),
@@ -143,17 +162,15 @@ class TurnModel(Walker):
             sum((run[k] & 127) << 8 * k for k in range(4)),
             (chord(32) << 8 | history(4)) << 5 | bulge(32),
             (chord(64) << 18 | chord(8)) << 5 | bulge(64),
-            (verdict << 4 | min(15, self.segment.previous)) << 6 | history(3)]
-        if self.count == 16:
-            values += [
-                history(6),
-                R << 12 | history(6),
-                (near << 10 | R) << 10 | L,
-                (chord(32) << 18 | chord(16)) << 2 | history(1)]
+            (verdict << 4 | min(15, self.segment.previous)) << 6 | history(3),
+            curve,
+            right << 20 | curve >> 3,
+            left << 20 | curve >> 3]
         vectors = (2 * min(7, d_right) + (16 if d_left > 0 else 0),
                    2 * history(4),
                    64 * ahead + 2 * (4 * level + guess))
-        return [v << 4 | ahead << 1 | self.ink for v in values], vectors
+        return ([v << 4 | ahead << 1 | self.ink for v in values], vectors,
+                (2 * history(6), 2 * top(11, near * K)))
 
     def look_up(self, values):
         """The slots, and where they go if they learn."""
@@ -170,18 +187,19 @@ class TurnModel(Walker):
         self.places = places
         return found
 
-    def decide(self, coder, slots, vectors, node):
+    def decide(self, coder, slots, vectors, refined, node):
         counters = [slot[1 + node] for slot in slots]
         gate = STRETCH[self.gate[0] >> 4] if node == 0 else 0
         x = [STRETCH[p >> 4] for p, n in counters]
         lean = [(p - 32768) * 51 * min(n, 30) >> 16 for p, n in counters]
-        if self.count == 12:
-            x += [77, gate, 0, 0] + lean + [0] * 4
-        else:
-            x += lean + [77, gate] + [0] * 6
-        p = clamp(self.mixer.predict(x, [v + node for v in vectors]), 1, 65535)
+        x += [gate] + lean + [0]
+        mean = self.mixer.mean(x, [v + node for v in vectors])
+        p = squash(mean) + sum(refiner.refine(mean, c + node) for refiner, c
+                               in zip(self.refiners, refined))
+        p = max(1, p // 3)
         bit = coder.decode(p, ("bends", "side")[node])
-        self.mixer.learn(bit)
+        for model in (self.mixer, *self.refiners):
+            model.learn(bit)
         for counter in counters:
             update(counter, bit)
         for (table, index), slot in zip(self.places, slots):
@@ -200,10 +218,10 @@ class TurnModel(Walker):
             if not bends:
                 return 0
             straight = False
-        values, vectors = self.contexts(patch)
+        values, *models = self.contexts(patch)
         slots = self.look_up(values)
         if straight:
-            bends = self.decide(coder, slots, vectors, 0)
+            bends = self.decide(coder, slots, *models, 0)
             update(gate, bends)
             if not bends:
                 return 0
@@ -211,7 +229,7 @@ class TurnModel(Walker):
             return 2
         if 2 not in allowed:
             return 1
-        return 2 if self.decide(coder, slots, vectors, 1) else 1
+        return 2 if self.decide(coder, slots, *models, 1) else 1
 
 
 class FastTurnModel(Walker):

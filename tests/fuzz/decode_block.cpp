@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +11,8 @@
 #include "fuzz/target.h"
 
 /// One payload, behind no checksum: 3 bytes of coder name, 4 bytes of size
-/// (width and rows, chains and steps, or paths and elements, little-endian),
+/// (width and rows, chains and steps, paths and elements, or lines and bytes,
+/// little-endian),
 /// the payload.
 namespace unstep::fuzz {
 namespace {
@@ -23,6 +25,7 @@ codec::CoderName name_of(std::span<const std::uint8_t> head) {
       codec::kCoderStored, codec::kCoderContours, codec::kCoderChains,
       codec::kCoderPaths};
   const std::uint8_t pick = head[0];
+  if (pick % 32 == 30) return {codec::kCoderProgram, head[1], head[2]};
   const std::uint8_t coder =
       pick % 8 == 7 ? pick / 8 : kKnown[pick % kKnown.size()];
   return {coder, head[1], head[2]};
@@ -71,6 +74,19 @@ void decode_paths(const codec::CoderName& name, std::uint32_t count,
   require(survey->elements == elements, "as many elements as declared");
 }
 
+void decode_program(const codec::CoderName& name, std::uint32_t lines,
+                    std::uint32_t bytes,
+                    std::span<const std::uint8_t> payload) {
+  const auto text = codec::decode_program(name, payload, lines, bytes, {});
+  if (!text) return require_sound(text.error());
+  require(text->size() == bytes, "as many bytes as declared");
+  const auto ends = std::count(text->begin(), text->end(), '\n');
+  require(ends == static_cast<std::ptrdiff_t>(lines),
+          "as many lines as declared");
+  const auto again = codec::encode_program(*text, {});
+  require(bool{again}, "a decoded program can be encoded");
+}
+
 }  // namespace
 }  // namespace unstep::fuzz
 
@@ -83,7 +99,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const std::uint32_t first = input[3] | std::uint32_t{input[4]} << 8;
   const std::uint32_t second = input[5] | std::uint32_t{input[6]} << 8;
   const auto payload = input.subspan(kHeadBytes);
-  if (name.coder >= unstep::codec::kCoderPaths) {
+  if (name.coder >= unstep::codec::kCoderProgram) {
+    decode_program(name, first, second, payload);
+  } else if (name.coder >= unstep::codec::kCoderPaths) {
     decode_paths(name, first, second, payload);
   } else if (name.coder >= unstep::codec::kCoderChains) {
     decode_chains(name, first, second, payload);

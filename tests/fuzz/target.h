@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
 namespace unstep::fuzz {
 
 /// Small enough that no input takes long or much.
-inline DecodeLimits limits() { return {1U << 18, 1U << 18, 4U << 20}; }
+inline DecodeLimits limits() { return {1U << 18, 1U << 18, 8U << 20}; }
 
 /// A property of the code under test; libFuzzer keeps the input of an abort.
 inline void require(bool holds, std::string_view what) {

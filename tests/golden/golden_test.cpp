@@ -63,6 +63,10 @@ TEST(Golden, ValidFilesDecodeToWhatTheyAlwaysDid) {
         drawings.push_back(page->drawing);
         continue;
       }
+      if (page->kind == PageKind::program) {
+        EXPECT_EQ(page->program, read_text(path.replace_extension(".ngc")));
+        continue;
+      }
       if (page->kind == PageKind::paths) {
         paths += testing::text_of(page->drawing.paths);
         continue;
@@ -91,8 +95,9 @@ TEST(Golden, EveryCoderHasFiles) {
   for (fs::path path : golden_files("valid")) {
     texts += read_text(path.replace_extension(".txt"));
   }
-  for (const int coder : {codec::kCoderStored, codec::kCoderContours,
-                          codec::kCoderChains, codec::kCoderPaths}) {
+  for (const int coder :
+       {codec::kCoderStored, codec::kCoderContours, codec::kCoderChains,
+        codec::kCoderPaths, codec::kCoderProgram}) {
     EXPECT_NE(texts.find("  coder " + std::to_string(coder) + "."),
               std::string::npos)
         << coder;
@@ -138,6 +143,8 @@ std::vector<codec::PageParts> parts_of(const Bytes& file) {
       block.steps = from.steps;
       block.paths = from.paths;
       block.elements = from.elements;
+      block.lines = from.lines;
+      block.text_bytes = from.text_bytes;
       page.blocks.push_back(std::move(block));
     }
     pages.push_back(std::move(page));

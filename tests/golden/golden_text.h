@@ -36,7 +36,9 @@ inline std::string text_of(const PageEntry::Block& block) {
          std::to_string(block.first_row) + " + " + std::to_string(block.rows) +
          " chains " + std::to_string(block.chains) + " steps " +
          std::to_string(block.steps) +
-         (block.coder < 24
+         (block.coder == 28 ? " lines " + std::to_string(block.lines) +
+                                  " bytes " + std::to_string(block.text_bytes)
+          : block.coder < 24
               ? ""
               : " paths " + std::to_string(block.paths) + " elements " +
                     std::to_string(block.elements)) +
@@ -60,9 +62,10 @@ inline std::string text_of(const FileInfo& info) {
       text_of(info.metadata, "");
   for (const PageEntry& page : info.pages) {
     text += std::string("page ") +
-            (page.kind == PageKind::ink      ? "ink "
-             : page.kind == PageKind::chains ? "chains "
-                                             : "paths ") +
+            (page.kind == PageKind::ink       ? "ink "
+             : page.kind == PageKind::chains  ? "chains "
+             : page.kind == PageKind::program ? "program "
+                                              : "paths ") +
             std::to_string(page.canvas.width) + " x " +
             std::to_string(page.canvas.height) +
             (page.canvas.y_axis == YAxis::up ? " y up" : "") +

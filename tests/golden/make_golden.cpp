@@ -13,6 +13,7 @@
 
 /// make_golden FOLDER: the golden files of coder 0 and of the container.
 /// make_golden --paths FOLDER: those of paths.
+/// make_golden --program FOLDER NAME: that of the text valid/NAME.ngc.
 /// make_golden --describe FILE.ustp: the text of a file's header.
 namespace unstep::testing {
 namespace {
@@ -219,6 +220,20 @@ void write_paths(const fs::path& folder) {
                   {});
 }
 
+/// The text of NAME.ngc there, which is kept.
+int write_program(const fs::path& folder, const std::string& name) {
+  std::ifstream in(folder / "valid" / (name + ".ngc"), std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  UstpWriter writer{EncodeOptions{}};
+  const Status added = writer.add_program(text, {});
+  const Result<Bytes> file = writer.finish();
+  if (!added || !file) return 1;
+  write(folder / "valid" / (name + ".ustp"), *file);
+  std::ofstream(folder / "valid" / (name + ".txt"))
+      << text_of(UstpReader::open(*file, {})->info());
+  return 0;
+}
+
 int describe(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   const Bytes file{std::istreambuf_iterator<char>(in), {}};
@@ -242,9 +257,13 @@ int main(int argc, char** argv) {
     unstep::testing::write_paths(argv[2]);
     return 0;
   }
+  if (argc == 4 && std::string(argv[1]) == "--program") {
+    return unstep::testing::write_program(argv[2], argv[3]);
+  }
   if (argc != 2) {
     std::fprintf(stderr,
                  "usage: make_golden FOLDER | --paths FOLDER | "
+                 "--program FOLDER NAME | "
                  "--describe FILE.ustp\n");
     return 2;
   }

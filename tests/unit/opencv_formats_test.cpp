@@ -179,6 +179,8 @@ TEST(BmpReader, ReadsOtherDepthsThroughTheModule) {
   EXPECT_EQ(error_of(cut).substr(0, 10), "truncated:");
 }
 
+#endif
+
 TEST(JpegReader, ReadsPixelsAndDensity) {
   const RasterPage page = read_raster(kJpeg);
   EXPECT_EQ(page.ink.width(), 16);
@@ -213,21 +215,11 @@ TEST(JpegReader, RejectsTruncationAtEveryByte) {
 TEST(JpegReader, RejectsGiantImagesBeforeItAllocates) {
   Bytes file = kJpeg;
   const std::size_t frame = 20 + 69 + 5;  // SOF0's height
-  for (std::size_t i = 0; i < 4; ++i) file[frame + i] = 0xff;
+  for (std::size_t i = 0; i < 4; i += 2) file[frame + i] = 0xff;
   RasterReadOptions options;
   options.limits.max_pixels = 1 << 30;
   EXPECT_EQ(error_of(file, options).substr(0, 14), "limit_exceeded");
 }
-
-#else
-
-TEST(JpegReader, SaysThatTheModuleIsMissing) {
-  EXPECT_EQ(error_of(kJpeg).substr(0, 12), "unsupported:");
-  (void)turned_jpeg(1);
-  (void)has_note({}, "");
-}
-
-#endif
 
 }  // namespace
 }  // namespace unstep

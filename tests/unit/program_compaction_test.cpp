@@ -290,5 +290,38 @@ TEST(compaction_oracle, finds_what_is_too_far) {
   EXPECT_FALSE(oracle::frechet_within(line, zigzag, 2.999));
 }
 
+TEST(compaction, makes_one_arc_of_arcs_on_one_circle) {
+  CompactOptions options;
+  const std::string quarters =
+      "G0 X10 Y0 Z0\nG1 F600\nG3 X0 Y10 I-10\nX-10 Y0 J-10\nX0 Y-10 I10\n";
+  const Program most = shorten(quarters, options);
+  EXPECT_EQ(arcs(most), 1U);
+  const Program whole = shorten(quarters + "X10 Y0 J10\n", options);
+  EXPECT_EQ(arcs(whole), 1U);
+  EXPECT_EQ(arcs(shorten(quarters + "X10 Y0 J10\nX0 Y10 I-10\n", options)), 2U);
+}
+
+TEST(compaction, keeps_arcs_apart_that_are_not_one) {
+  CompactOptions options;
+  const std::string begin = "G0 X10 Y0 Z0\nG1 F600\nG3 X0 Y10 I-10\n";
+  for (const char* next :
+       {"X-10 Y0 J-10 F300\n", "(here)\nX-10 Y0 J-10\n", "G2 X10 Y0 J-10\n",
+        "X-10 Y0 J-10 Z1\n", "X-9.9 Y0.1 J-9.9\n", "X-20 Y-10 J-20\n"}) {
+    EXPECT_EQ(arcs(shorten(begin + next, options)), 2U) << next;
+  }
+}
+
+TEST(compaction, merges_arcs_no_farther_than_the_tolerance) {
+  // Radii that grow by 0.0006 mm a quarter: one arc would be 0.0024 mm off.
+  const std::string spiral =
+      "G0 X10 Y0 Z0\nG1 F600\nG3 X0 Y10.0006 I-10\nX-10.0012 Y0 J-10.0006\n"
+      "X0 Y-10.0018 I10.0012\nX10.0024 Y0 J10.0018\n";
+  CompactOptions options;
+  options.tolerance_mm = 0.001;
+  EXPECT_GT(arcs(shorten(spiral, options)), 1U);
+  options.tolerance_mm = 0.02;
+  EXPECT_LT(arcs(shorten(spiral, options)), 4U);
+}
+
 }  // namespace
 }  // namespace unstep

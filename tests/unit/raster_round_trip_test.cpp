@@ -83,6 +83,36 @@ TEST(RasterRoundTrip, TiffKeepsResolutionsExactly) {
   }
 }
 
+TEST(RasterRoundTrip, TiffKeepsThePolarityOfEachOfSeveralPages) {
+  const Bitmap ink = random_ink(40, 12, 8);
+  const auto page = [&ink](int photometric, const char* name) {
+    test::TiffRecipe recipe =
+        test::bilevel_recipe(ink, COMPRESSION_CCITTFAX4, photometric);
+    recipe.texts = {{TIFFTAG_PAGENAME, name}};
+    return recipe;
+  };
+  const Bytes file = test::make_tiff({page(PHOTOMETRIC_MINISBLACK, "front"),
+                                      page(PHOTOMETRIC_MINISWHITE, "back")});
+  RasterWriter writer = *RasterWriter::create(RasterFormat::tiff);
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RasterPage read = test::read_raster(file, {}, i);
+    EXPECT_EQ(read.ink, ink);
+    ASSERT_TRUE(writer.add_page(read.ink, read.info, &notes));
+  }
+  EXPECT_TRUE(notes.empty());
+  const Bytes written = *writer.finish();
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RasterPage first = test::read_raster(file, {}, i);
+    const RasterPage again = test::read_raster(written, {}, i);
+    EXPECT_EQ(again.ink, ink);
+    EXPECT_EQ(again.info, first.info);
+    EXPECT_EQ(test::value_of(again.info, "tiff:Photometric"),
+              i == 0 ? "MinIsBlack" : "(none)");
+    EXPECT_EQ(again.info.name, i == 0 ? "front" : "back");
+  }
+}
+
 TEST(RasterRoundTrip, TiffTurnsMetresIntoCentimetresExactly) {
   PageInfo info;
   info.resolution = {{11811, 1}, {3937, 1}, Resolution::Unit::metre};

@@ -148,7 +148,7 @@ TEST(Shapes, OfADamagedPayloadAreRefusedOrOther) {
         payload.begin(), payload.begin() + static_cast<std::ptrdiff_t>(cut))))
         << "cut at " << cut;
   }
-  for (std::size_t bit = 0; bit < payload.size() * 8; bit += 3) {
+  for (std::size_t bit = 0; bit < payload.size() * 8; bit += 7) {
     Bytes flipped = payload;
     flipped[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
     EXPECT_FALSE(decodes_to_it(flipped)) << "bit " << bit;
@@ -162,6 +162,91 @@ TEST(Shapes, RefuseMoreMemoryThanAllowed) {
   const Status refused = decode_shapes(Bytes{}, ink, 0, 8, 0, limits, {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::limit_exceeded);
+}
+
+TEST(Shapes, CountTheMemoryOfWhatTheyRemember) {
+  // So large that the models of shapes need more than the contours do.
+  const Bitmap ink = page_of_text(1300, 800, 3, 8);
+  const auto shapes = match_shapes(ink, 0, 800);
+  ASSERT_GT(shapes.size(), 1000U);
+  const Result<Bytes> payload = encode_shapes(ink, 0, 800, 0, shapes, {});
+  ASSERT_TRUE(payload);
+  const std::uint64_t models = shape_memory(0, 1300, 800);
+  for (const std::uint64_t more : {0U, 100'000U, 5'000'000U}) {
+    DecodeLimits limits;
+    limits.max_memory = models + more;
+    Bitmap decoded = *Bitmap::create(1300, 800);
+    const Status done = decode_shapes(*payload, decoded, 0, 800, 0, limits, {});
+    EXPECT_EQ(bool{done}, more == 5'000'000) << more;
+    if (!done) {
+      EXPECT_EQ(done.error().code, ErrorCode::limit_exceeded);
+    }
+  }
+}
+
+/// `count` shapes of the largest size in one place, all the same or all but
+/// their last pixel.
+std::vector<PlacedShape> pile(std::size_t count, bool same) {
+  std::vector<PlacedShape> shapes(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    shapes[i].refers = i > 0;
+    shapes[i].reference =
+        same || i == 0 ? 0 : static_cast<std::uint32_t>(i - 1);
+    shapes[i].glyph = Glyph(kMaxShapeSide, kMaxShapeSide);
+    shapes[i].glyph.row(0)[0] = 1;
+    const auto other = static_cast<std::int32_t>(i % 200);
+    if (!same) shapes[i].glyph.row(kMaxShapeSide - 1 - other)[0] |= 2;
+  }
+  return shapes;
+}
+
+TEST(Shapes, CannotAskForMoreWorkThanThePageIsWorth) {
+  // 4 x 300 x 300 + 65536 pixels of room, each shape takes 255 x 255 + 64.
+  const Bitmap ink = *Bitmap::create(300, 300);
+  for (const bool same : {true, false}) {
+    EXPECT_TRUE(encode_shapes(ink, 0, 300, 0, pile(6, same), {}));
+    const auto refused = encode_shapes(ink, 0, 300, 0, pile(7, same), {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::corrupt);
+  }
+}
+
+TEST(Shapes, TellProgressAndCanBeCancelled) {
+  const Bitmap ink = *Bitmap::create(600, 600);
+  const auto shapes = pile(20, false);
+  const Result<Bytes> payload = encode_shapes(ink, 0, 600, 0, shapes, {});
+  ASSERT_TRUE(payload);
+  for (const int most : {0, 4, 8}) {
+    int heard = 0;
+    const BlockProgress patient = [&](std::uint64_t done) {
+      EXPECT_LE(done, 300U);
+      return heard++ < most;
+    };
+    Bitmap decoded = *Bitmap::create(600, 600);
+    const Status done =
+        decode_shapes(*payload, decoded, 0, 600, 0, kLimits, patient);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, ErrorCode::cancelled);
+    EXPECT_EQ(heard, most + 1);
+    heard = 0;
+    const auto encoded = encode_shapes(ink, 0, 600, 0, shapes, patient);
+    ASSERT_FALSE(encoded);
+    EXPECT_EQ(encoded.error().code, ErrorCode::cancelled);
+  }
+}
+
+TEST(Shapes, OfAPageAreHalfOfItsProgress) {
+  const Bitmap ink = page_of_text(640, 400, 3, 8);
+  const auto shapes = match_shapes(ink, 0, 400);
+  std::uint64_t last = 0;
+  const BlockProgress progress = [&](std::uint64_t done) {
+    EXPECT_LE(done, 400U);
+    EXPECT_GE(done + 20, last) << "lines of text go back a little at most";
+    last = done;
+    return true;
+  };
+  ASSERT_TRUE(encode_shapes(ink, 0, 400, 0, shapes, progress));
+  EXPECT_GT(last, 380U);
 }
 
 /// By flooding pixel after pixel.

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -74,7 +75,12 @@ struct DecodeOptions {
   Progress progress;
 };
 
-enum class PageKind : std::uint8_t { ink = 0, chains = 1, paths = 2 };
+enum class PageKind : std::uint8_t {
+  ink = 0,
+  chains = 1,
+  paths = 2,
+  program = 3
+};
 
 /// How a page of paths stands to the chains that it was made from.
 struct Fidelity {
@@ -85,7 +91,8 @@ struct Fidelity {
                     ///< are within 1 unit per axis at the same step
   };
   Kind kind = Kind::exact;
-  Rational tolerance{0, 1};  ///< grid units, when kind == tolerance
+  /// When kind == tolerance: grid units; of a program mm.
+  Rational tolerance{0, 1};
   friend bool operator==(const Fidelity&, const Fidelity&) = default;
 };
 
@@ -102,7 +109,7 @@ struct Box {
 struct PageEntry {
   PageKind kind = PageKind::ink;
   Canvas canvas;              ///< pixels of an ink page
-  Fidelity fidelity;          ///< paths
+  Fidelity fidelity;          ///< paths and programs
   std::int32_t scale = 1;     ///< paths: Drawing::scale
   Paint paint = Paint::fill;  ///< paths: Drawing::paint
   PageInfo info;
@@ -112,14 +119,16 @@ struct PageEntry {
     std::uint64_t bytes = 0;     ///< of the payload
     std::int32_t first_row = 0;  ///< ink: the band's rows
     std::int32_t rows = 0;
-    std::uint64_t chains = 0;    ///< chains: how many
-    std::uint64_t steps = 0;     ///< chains
-    std::uint64_t paths = 0;     ///< paths: how many
-    std::uint64_t elements = 0;  ///< paths: segments and arcs
-    Box box;                     ///< what it draws lies inside
-    std::uint8_t coder = 0;      ///< coder id, format.md
-    std::uint8_t revision = 0;   ///< model revision
-    std::uint8_t table = 0;      ///< warm-start table, 0 = none
+    std::uint64_t chains = 0;      ///< chains: how many
+    std::uint64_t steps = 0;       ///< chains
+    std::uint64_t paths = 0;       ///< paths: how many
+    std::uint64_t elements = 0;    ///< paths: segments and arcs
+    std::uint64_t lines = 0;       ///< program: of its text
+    std::uint64_t text_bytes = 0;  ///< program
+    Box box;                       ///< what it draws lies inside
+    std::uint8_t coder = 0;        ///< coder id, format.md
+    std::uint8_t revision = 0;     ///< model revision
+    std::uint8_t table = 0;        ///< warm-start table, 0 = none
   };
   std::vector<Block> blocks;
 };
@@ -133,13 +142,15 @@ struct FileInfo {
 };
 
 /// A decoded page: `ink` for PageKind::ink, `drawing.chains` for
-/// PageKind::chains, `drawing.paths` for PageKind::paths.
+/// PageKind::chains, `drawing.paths` for PageKind::paths, `program` for
+/// PageKind::program.
 struct Page {
   PageKind kind = PageKind::ink;
   PageInfo info;
   Fidelity fidelity;
   Bitmap ink;
   Drawing drawing;
+  std::string program;  ///< text of G-code, each line with its end
 };
 
 /// Collects pages and makes the file. After a failed call only destruction is
@@ -160,6 +171,12 @@ class UstpWriter {
   /// invalid_argument if the drawing has both or an invalid one.
   Status add_page(const Drawing& drawing, const PageInfo& info,
                   const Fidelity& fidelity = {});
+
+  /// Encodes the text of a program of a machine; it is stored best in the form
+  /// that write_gcode (program.h) gives it. The tolerance of `fidelity` is in
+  /// mm. invalid_argument if its last line has no end or it has a resolution.
+  Status add_program(std::string_view text, const PageInfo& info,
+                     const Fidelity& fidelity = {});
 
   /// The whole file. invalid_argument if there is no page.
   Result<std::vector<std::uint8_t>> finish();

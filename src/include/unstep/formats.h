@@ -19,27 +19,50 @@ namespace unstep {
 
 /// How grey and colour pixels become ink. Two-valued files never need it.
 struct Threshold {
-  enum class Kind : std::uint8_t { none, fixed, otsu };
+  enum class Kind : std::uint8_t {
+    none,
+    fixed,     ///< luminance < level is ink
+    otsu,      ///< one level for the page, by Otsu's method
+    sauvola,   ///< Sauvola's, of the mean and deviation around
+    local,     ///< between the ink and the paper around (docs/rasters.md)
+    automatic  ///< local; otsu where a page has too little contrast for it
+  };
   Kind kind = Kind::none;
-  int level = 128;  ///< fixed: luminance < level is ink, 1..255
+  int level = 128;  ///< fixed: 1..255
+};
+
+/// What else is done to the pixels of a page, bilevel ones too, in this order.
+struct PixelWork {
+  enum class Invert : std::uint8_t { no, yes, automatic };
+  Invert invert = Invert::no;    ///< automatic: if more is dark than light
+  bool deskew = false;           ///< turns the page straight, within 10 degrees
+  std::uint64_t despeckle = 0;   ///< removes 8-connected ink of so many pixels
+                                 ///< or fewer
+  std::uint64_t fill_holes = 0;  ///< fills 4-connected paper of so many or
+                                 ///< fewer that ink encloses
 };
 
 struct RasterReadOptions {
   Threshold threshold;
   DecodeLimits limits;
+  PixelWork work;
 };
 
 /// One page of a raster file, as ink.
 struct RasterPage {
   Bitmap ink;
   PageInfo info;
-  bool lossless = true;  ///< false: grey or colour pixels were thresholded
+  bool lossless = true;  ///< false: pixels were thresholded or changed
+  /// What was done to the pixels, in order: "inverted", ... All together are
+  /// in the page's metadata as unstep:pixels and in a note.
+  std::vector<std::string> work;
   /// One line each: what of the source is not kept, what was decided.
   std::vector<std::string> notes;
 };
 
-/// Reads PBM/PGM, PNG, TIFF, BMP and JPEG from memory. Bilevel data stays
-/// packed. PBM, PGM, PNG and TIFF never load the OpenCV module.
+/// Reads PBM/PGM, PNG, TIFF, BMP and JPEG from memory, and the page images of
+/// a PDF through poppler's program pdfimages. Bilevel data stays packed. Only
+/// BMP above 1 bit, local thresholds and PixelWork load OpenCV.
 ///
 ///     Result<RasterReader> file = RasterReader::open(std::move(bytes), {});
 ///     for (std::size_t i = 0; i < file->page_count(); ++i) file->read(i);
@@ -153,6 +176,41 @@ class VectorWriter {
   explicit VectorWriter(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+/// Recordings of encoders: two channels in quadrature each.
+enum class PulseFormat : std::uint8_t {
+  csv,     ///< a column a channel, a row a sample
+  vcd,     ///< value change dump (IEEE 1364)
+  sigrok,  ///< session of sigrok, .sr
+  raw2,    ///< 2 bits a sample, 4 a byte, the first in the high bits: A, B
+  raw4     ///< 4 bits a sample: A and B of x, A and B of y
+};
+
+struct PulseReadOptions {
+  /// Channels A and B of x, then of y if there are two encoders: names, or
+  /// numbers of columns from 1. Empty: a and b, or xa, xb, ya and yb (any case,
+  /// also x_a or x.a), else the only two or four channels there are.
+  std::vector<std::string> channels;
+  int counts = 4;  ///< of a cycle of both channels: 1, 2 or 4
+  /// CSV with analogue values: below `low` is 0, above `high` is 1, between
+  /// them is what was before. low < high, or both 0: values are 0 and 1.
+  double low = 0;
+  double high = 0;
+  DecodeLimits limits;  ///< max_steps counts samples too
+};
+
+/// One chain from (0, 0), y up: each count of an encoder is a unit step along
+/// its axis, counts of the same time are one diagonal step. A before B counts
+/// up. Where both channels of an encoder change at once no count is made; notes
+/// say how often, and when first. page.info.metadata has what was counted as
+/// unstep:pulses. invalid_argument if channels cannot be found.
+Result<VectorPage> read_pulses(std::span<const std::uint8_t> bytes,
+                               PulseFormat format,
+                               const PulseReadOptions& options);
+
+/// VCD or sigrok, by content. CSV and raw streams look like anything.
+[[nodiscard]] std::optional<PulseFormat> recognise_pulses(
+    std::span<const std::uint8_t> bytes);
 
 /// Freeman chain text (docs/freeman.md): many chains, 4- or 8-connected, open
 /// or closed, comments. Errors name line and column.

@@ -211,7 +211,8 @@ struct CompactReport {
 
 /// Merges lines that follow each other into longer lines and into arcs of the
 /// plane in force. Feed, spindle and modes are the same over what is merged,
-/// and nothing stands between. Rapids, arcs, text and motions from or to a
+/// and nothing stands between. Arcs that follow each other on one circle become
+/// one. Rapids, other arcs, text and motions from or to a
 /// position that is not known stay. Where text depends on the exact position,
 /// it is exact.
 /// out_of_range for the options.
@@ -243,6 +244,8 @@ struct GcodeWriteOptions {
   /// Decimals of positions. Below 0: all that they have; where the unit is
   /// converted, 4 of a mm and 5 of an inch.
   int decimals = -1;
+  /// M2 where the program has no end; a closing % alone becomes M2.
+  bool add_end = true;
   std::string header;  ///< lines before all others
   std::string footer;  ///< lines after all others, before the program's end
 };
@@ -268,5 +271,44 @@ TravelReport order_travel(Drawing& drawing);
 /// invalid_argument if a profile cannot say what the program does.
 Result<std::string> write_gcode(const Program& program,
                                 const GcodeWriteOptions& options);
+
+/// How a drawing becomes a program. Lengths in mm, feeds in mm per minute.
+struct DrawProgramOptions {
+  GcodeProfile profile = GcodeProfile::linuxcnc;
+  double unit_x = 1;  ///< size of a grid unit of the drawing
+  double unit_y = 1;
+  double feed = 1000;        ///< along the paths
+  double plunge_feed = 300;  ///< down to cut_z
+  double travel_z = 5;       ///< where the tool goes between paths
+  /// Of the tool in the paths. Below any number: 0 for plotter and marlin, -1
+  /// for the others.
+  double cut_z = std::numeric_limits<double>::lowest();
+  double spindle = 0;   ///< linuxcnc, grbl: M3 S at the start, M5 at the end
+  double power = 1000;  ///< laser: the S of M3 in the paths
+  /// Lines instead of those that lower and lift the tool, or switch the laser.
+  std::string tool_on;
+  std::string tool_off;
+  int decimals = 4;  ///< of positions, 0..7
+  ArcRules rules{};
+};
+
+/// The paths and chains of a drawing as a program: a rapid to the start of
+/// each, tool on, lines and arcs, tool off. X and Y are those of a drawing
+/// with y up whose lower left corner of the canvas is (0, 0). Arcs that the
+/// rules refuse, and those of units that are not square, become lines within
+/// 0.002 mm of them. invalid_argument or out_of_range for drawing and options,
+/// or lines of the options that are no G-code. `notes`, if not null, gets what
+/// a program does not carry.
+Result<Program> draw_program(const Drawing& drawing,
+                             const DrawProgramOptions& options,
+                             std::vector<std::string>* notes);
+
+/// What the moves of a program draw in its x-y plane, y up, unbounded: paths of
+/// lines and arcs between rapids, a grid unit is 1 mm. Moves with the
+/// spindle word S0 draw nothing. `notes`, if not null, gets what a drawing does
+/// not carry: z and other axes, feeds, rapids, text. out_of_range if it leaves
+/// the coordinate range.
+Result<Drawing> program_drawing(const Program& program,
+                                std::vector<std::string>* notes);
 
 }  // namespace unstep

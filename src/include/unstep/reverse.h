@@ -178,6 +178,12 @@ struct DigitalSegments {
 /// connectivity.
 Result<DigitalSegments> reverse_exact(const Chain& chain);
 
+/// What lines within a tolerance are to be.
+enum class LineAim : std::uint8_t {
+  few_lines,  ///< as ToleranceOptions::effort says
+  few_bytes,  ///< cheap for UstpWriter; more lines than need be
+};
+
 struct ToleranceOptions {
   /// Euclidean Frechet distance between the chain and the path, in grid
   /// units, before rasterising: never more than this. From 1/256 to 2^20.
@@ -187,6 +193,10 @@ struct ToleranceOptions {
   /// where they save some. fast is the same as standard.
   Effort effort = Effort::standard;
   bool arcs = true;  ///< arcs where one replaces several lines
+  /// few_bytes: vertices are free, and closed paths start at their topmost
+  /// vertex, where the coder of paths begins. It takes ten to a hundred times
+  /// as long as one pass. fast: few_lines. max: more is tried, twice as long.
+  LineAim aim = LineAim::few_lines;
 };
 
 /// What reverse_tolerance did.

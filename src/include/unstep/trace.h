@@ -10,7 +10,7 @@
 #include "unstep/grid.h"
 #include "unstep/result.h"
 
-/// Ink to contours and back.
+/// Ink to contours and back; pulses of encoders to unit steps.
 namespace unstep {
 
 /// Called for each contour; return false to stop.
@@ -95,6 +95,56 @@ Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
 /// codes, out_of_range if it leaves 0..width x 0..height.
 Result<Bitmap> fill_contours(std::span<const Chain> contours,
                              std::int32_t width, std::int32_t height);
+
+/// The counts of one encoder with two channels in quadrature: the pulse former
+/// of a photogrammetric automaton of 1976 (programmable modules of "Zenit"),
+/// which makes count pulses out of the edges of two signals 90 degrees apart
+/// and picks every edge or one a cycle.
+///
+///     QuadratureDecoder x(4);
+///     for (const auto& [a, b] : samples) position += x.sample(a, b);
+class QuadratureDecoder {
+ public:
+  /// Counts of a cycle: 4, every edge; 2, the edges of A; 1, the edges of A
+  /// while B is low. Other values mean 4.
+  explicit QuadratureDecoder(int counts) : counts_(counts) {}
+
+  /// The next sample: +1, 0 or -1. The first one only tells where to begin. A
+  /// rising before B counts up.
+  int sample(bool a, bool b) {
+    const bool was_a = a_;
+    const bool was_b = b_;
+    a_ = a;
+    b_ = b;
+    illegal_ = false;
+    if (!begun_) {
+      begun_ = true;
+      return 0;
+    }
+    if (a == was_a && b == was_b) return 0;
+    if (a != was_a && b != was_b) {
+      illegal_ = true;
+      return 0;
+    }
+    if (a == was_a) {  // an edge of B
+      const bool counted = counts_ != 1 && counts_ != 2;
+      return counted ? (b == a ? 1 : -1) : 0;
+    }
+    if (counts_ == 1 && b) return 0;
+    return a != b ? 1 : -1;
+  }
+
+  /// True if both channels changed with the last sample, which therefore
+  /// counted nothing: two edges, up or down, cannot be told apart.
+  [[nodiscard]] bool is_illegal() const { return illegal_; }
+
+ private:
+  int counts_;
+  bool begun_ = false;
+  bool illegal_ = false;
+  bool a_ = false;
+  bool b_ = false;
+};
 
 /// Draws the paths of a drawing (not its chains) on its canvas. Pixel (x, y)
 /// covers the grid unit from (x, y) to (x + 1, y + 1); with YAxis::up the

@@ -11,6 +11,7 @@
 #include "unstep/program.h"
 #include "unstep/result.h"
 #include "unstep/reverse.h"
+#include "unstep/step_stream.h"
 #include "unstep/trace.h"
 
 /// Everything at once, and the version.

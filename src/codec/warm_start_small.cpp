@@ -1,0 +1,2000 @@
+// Made by tests/bench/train_warm_start.sh; do not edit.
+// clang-format off
+#include "codec/warm_start.h"
+
+namespace unstep::codec::warm {
+
+const Table kSmall = {
+    {{
+    1115, 1418, 522, 175, 205, 879, 517, 241, 635, 1617, 1413, 1993, 748, 859, 855, 112, 237, 459,
+    }},
+    "00001NC^06aDZEG^072mEV7[0<Sg^:S^0?P6V9W^0?^4bJO^0B[oiNWT0DClFR[^0K`fBQS^"
+    "0MhXnRW^0OMMNAS^0Q_i:1S^0Y2BemS^0YAn5m[^0jpX6g3^0oJPB^_^16ndnUK^1<:;nNS^"
+    "1?FHB9[^1@pFmmW^1ChWjE[^1DHGfJS^1RAJan_^1U0A^IG^1^oRN6?^1_lPRAO^1aYkBUK^"
+    "1i]X]]c^1lcZbAW^1oVFRZ[^24l?N2K^2AZG:6O^2MJI5^K^2QSZ>VW^2X:12Vo^2YPDb5K^"
+    "2[IpfMW^2_J[B=[^2a^]ZJK^2ak9>RS^2dBJ^Z[^2jglJ]C^2kKef>O^32lT5Y_^35mU2JK^"
+    "36CVnYG^36G=J>_^37O_NRS^39=ZjBO^39M<EQg^3;58bJS^3<KYRNO^3BOV]aW^3B[p^2W^"
+    "3KT=fJS^3P6^NVc^3QV<aZK^3S<M1j3^3WB`bYK^3pR3bES^3pmU=b?p3^DDN6G^3_H1iVG]"
+    "3`AR>A_^3dJY:JS^3h1YFRS^3hf3^>W^3l4<bEc^3l69Q^C^3nPI^^k^46A5Ij_^47XnF>S^"
+    "4;<VZN7^4=]R5mW^4CFAnE[^4CH>]IoX4D4C:Z[^4Ee[mf_^4Fc5J1c^4KABnNO^4OJRJ]C^"
+    "4ZCc2BW^4b<VbNW^4c9kVQK^4f3dmV?^4j<^JIW^4mP7f6O^5=QTV6K^5@pgQNGW5L>;mR;Z"
+    "5M<AYU_^5MJo>B[^5TmFZAW^5XlCUbG^5_RMQVCp5kk0R=W^5lmfFV[^5nh52NW^5o3i1][^"
+    "66IfjMW^6EG?ee_]6Jn7ZMG^6PgJRVW^6VaifJO^6WF1QfS^6pgTBES^6^O7eJGW6eaVUYoU"
+    "6kcL^1k^6nk3fRS^72]VZBS^7@DiBUO^7DYNeJGR7Jgn:NO^7LINB1W^7LW=n2O^7LeP^QK^"
+    "7QGVMbK^7TXcnUO^7VJ=F=?^7WaX>V[^7`g]21W^7aRVjUK^7fA`2IC^7gY7JJS^7hTTNNO^"
+    "80_4i]O^83><N5_^870EUeO^87l4^YC^88;iMV?p8<XY1nW^8?AliY[^8AeAFIO^8J;D=JGS"
+    "8McNJF[^8Zbo>=o^8[8P1RO^8]B1nQS^8^F@IR7W8fgc>VW^8gfW^RW^8k4H5R7^96R:BQS^"
+    "9<;:UM[^9A[OjNS^9Fe>FUG^9K1T^Z_^9UWImYcW9VRSN2S^9Vj3=mW^9X48JZ[^9Xo9]m_^"
+    "9Z5>Z1O^9Z:92NO^9paBeU_S9]84:2W^9`[UJMK^9ckA>RW^9hINbYK^9j@B1ic^9kg^jBW^"
+    ":09TnNO^:23=2i3^:7N>Z5W^::7d^AG^::ck]jS^:=^aMRGQ:>O9NAS^:@[0fVW^:CooA>3P"
+    ":DOQJjk^:I]N=YkY:L?RfQS^:TnDbES^:UB4iNKX:VLKMnK^:YbLUUc^:Zdbe]cY:]hh:5c^"
+    ":n27UJ3P;1GX62O^;5WSi>3P;6hMmJ3P;703I>3P;=hb:NO^;@P3VF[^;HnAmN3P;IG4fAg^"
+    ";J8S2AS^;LUgUic^;MIfR:[^;SbgEf3^;V:U>MS^;XlYfBO^;aJX:9[^;bJQAFGQ;ebA5iS^"
+    ";jNOja;^;j^;:e7^<3T=QR?X<5MH=UW^<61pB]G^<7HBfho^<9f_QmK^<;j72bg^<=>`eRGQ"
+    "<B44bEW^<C^h6e;^<DQ:f>W^<DXhnRW^<JpXnUO^<SBneMkW<TC6bIO^<Vn;VVW^<XEV6RS^"
+    "<p3;NMO^<c61NRW^<fUSiJ7V<j[QabO^<mW`ZIO^=0G6:UK^=7IYMYk^=7QGUZO^=BJ8nBS^"
+    "=Ee9JF[^=MEPVB_^=UOG>a;^=XAKfJ[^=YHniaS^=[U[jQK^=]bF>IW^=`KlB:W^=`P?FUO^"
+    "=gXl1VG^=hTOmbS^=icAjQS^=koPEVGW=m0fbMS^=mMMEaW^=mX7ZZc^>7U6n]G^>=EU5iO^"
+    ">GdMNNO^>Hfn^FO^>Lm^IeK^>P1^^e7^>SIRQYgW>SbNZBc^>Wg`6JS^>XW3Z^_^>^[0f5K^"
+    ">`C<ZIG^>mndJJW^?4pWF]C^?98oF>S^?;Cf62S^?G39BR_^?H=Y2RW^?I0R2MK^?K?^9Yc^"
+    "?ONcFEW^?XP]:N[^?b5Ib^_^?dKA6MS^?f3JRRW^?mmhB9[^@1XOUI_Q@2]46JS^@9TG1ZO^"
+    "@>H0jbc^@BGAnI[^@L=aNR_^@LKnQmg^@Q;Yb=C^@SS9:5_^@_^]mZ;X@_`<Fbc^@b[]Mic^"
+    "@dEn9VWW@lLeY]c^@n4b6NS^@o<mR2O^A0fAUQ[YA5MJmZKpA8[9Eeg^A;k5>N_^A<601b;Z"
+    "A>5>fBO^A@XkjNS^AGF_bFo^AUO8Mb?^AXDHRYK^A[WamJGSA`[IZ:S^Ae`K2fg^AhEiUb[^"
+    "AmU<V6W^B0I=nJ[^B1[g>BK^B384fQ3^B6EkBIW^B?QWanK^BCpanBO^BLQ=AMkpBMZ?fVW^"
+    "BQM7F5O^BSFj:^_^BS_SUF;^BVW>iQkXBYJgIQ[WB`M[>2K^Bb?JfEW^BeMXnFO^C03N=UoY"
+    "C3m2Jfg^C;?g=nS^C=YHmQgYC=[KQR3PC=^:VVW^CBb>Z=O^CGQ4AIoVCJUY>JO^CLS?aYgp"
+    "CTTQ5b[^CXA3nNO^C[oC5>3PCeBU2JO^CkWUf=O^CmPfZJW^D3K=:^_^D5Z]BUK^D:^h1J?["
+    "DE:iUZG^DF6[nRS^DVp>VJO^DYNdA^O^D^OSIfK^DcJF=UgZE2cN9VO]E38K2RW^E7G1]iG^"
+    "E<fUQRGXEDYjIN?UEE:?Im[^EFcDNEW^ELfPBJ_^EQH25nO^EQHS5][ZESYXf5S^EV>L:pk^"
+    "EXme5BKSEZcWBbc^E^VN]I_[EegX1^?YEehhIN3PEkK4=N7]Em5h9F3PEoZ9J=W^F2U_^2S^"
+    "F6hfJIK^F?^ni]o^FFPCR9K^FL<meU_^FNFUnQO^FOT]ZUC^FPE5]^G^FRhJ:fk^FZPe:^_^"
+    "F]7nmMg]Fa2ARMS^Fa@iER3YFbRX2UK^FcZSmJGSFi0ln5C^FjVn:9K^Flc65U_[G0PA6Z_^"
+    "G6T>AN3[G7;Q:J3^G:NPfIK^GCS7nJO^GFT8nFS^GFiUFEO^GWhG:Fg^GXB0JFO^GXj[jo7^"
+    "GY]>=RORGpAF62K^G^e[2NW^Ga=YJVW^Gdc:JAS^GhA`bIK^GlMZFMW^Gl^OmZW[H5SO9E[V"
+    "H6H>=RK^H9756QC^H9LWUbK^H@aU6YK^HA^05eW]HC6Ef6?^HFCajIS^HFVcBY?^HORBB1[^"
+    "HPGkM]W]HPTT2:_^HQ^9YI_QHSCJjEK^HSU3UU_RHVpmbIO^HW[Y2QS^HYCEnNc^H`32VI;^"
+    "H`f2VR[^Hg01fIS^HjJ_>Z[^Hk8[bMW^HlXd>VW^HnAoN9S^I7^nnM[^I:=KYiW^I>[Y>k3^"
+    "IBJ`j=S^IG>^Ffg^II<;AIc[ISYZmAg[IZOVF2G^I`>^n2O^IeXRJ=O^Ij`oBJS^Il``V^_^"
+    "Imo=IeS^In2bFYK^IncQ22W^J0Qc5RK^J2M`n>O^J9DBNJ[^J;]Cn:S^J<NVbEO^JF?^m]_^"
+    "JFI5mbG[JHKKZ>C^JMBpAfG^JPA_2YK^JS7=UQo^JVR4AUk[JXX7n:W^J`H<VJ[^J`bXIak^"
+    "JeF?UZK^JilOEZO^Jmd9MYo^K0=d1YW^K4p7B[;^K>ZiN:S^KGJ2Z]K^KRQ]jJO^KVXMQE_Q"
+    "KYdHIZO^K_=bmfC]Kde@MVG]KfRP2BS^KlXd^V_^Kmel5RGQKn8C5RKYL1SH9^K^L645mQ_Q"
+    "L9O[MfS^L;YoNUC^L;j89^W[LRc;]j_^LU6>aeC^LUP5nYK^L]eVaZG^L_jDmV7SL`VINVW^"
+    "La4gRJg^LklXZYG^M6eJ2YC^M8MEnY?^M=bmjFK^M>^]2NS^M@4b1Q[^MA=dVV_^MBUkAN7V"
+    "ME_`:>K^MG?>QVG^MQDg^RW^MQREj5G^MU1XZ>W^MWFg>Eg^MX@LfMS^MY`Qb9G^MZVm2fk^"
+    "M^N^F1_^M`Ql:^g^Ma_`AbO]Mc2IV=C^MgPW:V[^Mg`Y9V;[Mh`B=JGQN5NIiZK^N6ZX::[^"
+    "N91eM]c^N961nRS^N:H3ZYK^N<4SeJ3PN<QG=M_QN>2DBRS^N>Kjn>O^N?116B_^NAHoNZW^"
+    "NDnPM]W^NFpC6Nk^NYeMfRW^N]169J3PN_LNmMoYN_e`6e;^NaL@F=k^Ne;H1jK^Nfnaj^S^"
+    "Ng6JfUO^Nn9QjMW^O1iO]]k^O6O2YVK]O:GIQUS^O<oaZ6W^O@GjBNO^OQccN=[^OpYIYR7X"
+    "OpfoRYO^O^foBNO^OaWRJQO^OadjFA[^OiGQEZ3^Oi`bNMW^OnZWNJS^Oo0DFVW^P2lCZ9C^"
+    "P4C^RZ[^P5hLEVO^P>4]:UK^P>>=Z5[^P?VK5BKTP@0=eQ_^P@J51NGVPBcfFEG^PD;=ZR[^"
+    "PE32IMcZPE8GV]G^PG==VA?^PJ6m9J3PPJlEF>S^PL0DA>3PPSRKemK^PYLM9AopP^j_9RWT"
+    "P`YLiQ[^PcbGJUK^PjETZN[^PjSa]Y[VQ3BSYYo^Q3nX:Z[^Q5BE2=_^Q;;WjJO^Q@SRZNO^"
+    "QAefiaO^QD>hJ1o^QGVNE^O^QG]M2AK^QO3InMS^QS4@RUG^QX]@iIoUQ][7]]cYQ^=V>VW^"
+    "Qa9pF=c^QcGDZUK^QgSZnZ[^Qhia2=W^Qjco]MkVR9o^MfO^R:AHZe7^R==[^MO^R@MGRRS^"
+    "RBF0E]W^RD@?1V;YRDkU6YK^RF]f6J_^RNUCF]?^RO<obAK^RVYk2AG^R[3BB5W^R[O6>QO^"
+    "R[nf>JO^R`8cNES^Rd25^UK^S1PK5iW^S4OQUe[[S5[L2]C^S6DReQ_YS>J=n=W^SFCdbYG^"
+    "SFfoZAW^SFjYYb7^SG<djFO^SK8EZJW^SOc_fFO^SYdCnQK^SaI:ZRS^Sei;:AO^Siklb:[^"
+    "Sj7lVJK^Sm9b=i[^T:6>YQc^T;=gRBK^T=l^Mi[^T?VNJMS^T@]B>g3^TFDREiS^TG@AN]?^"
+    "TGko=^K^TI_I25o^TJYhAQgXTQ3Z]JGQTR[W6BK^TSjI6a;^TT@RYJ3RTVHeaiS^Tpp]AQkT"
+    "Ta3A6J_^Tc8QNES^TfgY9f_^TkD=2NS^Toe55J3PU02;R1[^U0e=6MS^U8UA^QS^U?fDbAW^"
+    "UFmOJa7^UG:7nJK^UG=X5NGRUI8?UjW^UNDgnYC^USk_]^3^UW3YjMG^U_g;iI[XU`I^]YO^"
+    "Ul5OUEk]UoPFB9S^V21MR]G^V2@b>VO^V4cR6V_^V5fC>>O^V7][VYK^V9CK=R3YV=2EVQO^"
+    "VE6V=^O^VEQ^iM_TVHiN^5K^VIl8RMS^VJ:=jZ_^VTQZ^IS^VWFj]VcWVX?jBMO^VXQSNcC^"
+    "VYg[EaS^V[YhjRS^Vp0Z=ZW^V`UK5jS^VbE^1YgTVejLnZ[^VlNI:YC^VlSdn]?^Vm7L^^c^"
+    "W0DTj>_^W0RamYgZW7<;fIO^W83:ZBO^W:1ZJAW^W<;dUbGpW<eBjMO^WCh@=^?^WF_b5fK^"
+    "WIpaQYg]WJPj^NW^WMjMRN[^WPXK:]G^WQ>]VYG^WSMi]R3^WaT>fYK^WcU?RV_^Wo>`2UO^"
+    "X52cJNW^X6[[=Z;YX<P<QiW^X>WP2Z_^XCPibEO^XF6fiMoUXI575e_^XKS`BUO^XRhJ2^k^"
+    "XXpkBBO^XYIeEm[^XZL^^YG^XbQFI]W[Xm]`6=G^Y8N;JEC^Y?U<ZRW^YE7e2]C^YHnki]c^"
+    "YMHGiNGQYULjj1W^YXM;NN[^Y[d?QESVYkFZ2MS^Z21>]MkTZ51SnVW^Z>9Z2FO^ZB^6IU_Z"
+    "ZJ7Bf6W^ZLkD>N_^ZPPCYJGQZXED=Uo^ZYaP^]C^ZYe7:6_^ZZmY:VW^Z_adNEW^Zij_5i_^"
+    "Zmo=Z9K^[0AYeJGX[2o9>QS^[71DBV[^[:`ZRUK^[AR4ei_p[C_Kn23^[G60Ue[^[GhRfRW^"
+    "[PiV6NW^[WamMn[^[[=;REO^[];[B9c^[iCUYn_^[jcZV>K^[lTc:IW^[n2iejO^[oVobNS^"
+    "p16WEfW^p6mN>BO^p>0JB2O^pFWeBYK^pO[pEY_^pPn1V:S^pR<cRUO^pRL8B>W^pW@nEF3P"
+    "pXJNBA[^pd:aAJ?ppi7kYN3U]0hhj:S^]4X?:RS^]8K@F5W^]<<0AnO^]>C[6^_^]?<Z^>S^"
+    "]AQiBJO^]LY_>ES^]OZQFRW^]PKhBNS^]Si7meK^]pG:YUgW]_AKARGQ]``VUYg[]a<0YJGQ"
+    "]d_ZbJO^]kiU:I[^]nL1FEG^^4EDBRS^^5Y1:A[^^5e7:MG^^9k=^NS^^:ckAjO^^;8U1J3R"
+    "^;l6]RGR^Am1URK^^I1CAZGW^L<?Z=S^^O7en>[^^OAFMec^^RkmbUO^^SJlYmW^^V;PJ>S^"
+    "^_AA>I_^^c2If9W^^h7HQN7Y^h_49]_Z^jiM9I_Q^l6cnQG^^m1ZURGS_4eP=^G^_72kN^_^"
+    "_86]ZUO^_9Z5=IkT_=TGfMS^_?4^BYK^_ES3B5K^_FQSeUgX_G46YY[Y_G94N=K^_IE<EQgU"
+    "_IlJR5[^_L2N>JS^_M2GF^_^_R9_fIW^_S6DQNGS_T<nYYO^_W0W:MO^_[InJ];^__mc9V7X"
+    "_`6RajW^_eC;6MK^_mY=mEo[_mafQI_Q`4JMNFc^`4f=]e_^`4g@e]K^`5Lb>jk^`8cLJFS^"
+    "`=jdfNO^`>VIaNK^`AE@^EW^`KDQNFO^`RjDMVK^`Un]jB_^`c8iRUG^`hG6j>W^`l4HR9S^"
+    "`m6ZBB[^`ndlAfGp`oI9Ab?^a1IO^IO^a1cKNNW^a5eL>J[^a8PZAV;[a:0M=nW^a<U8fA?^"
+    "a=S8EmO^aB_?:JS^aF[>N1_^aF^Tf>W^aQnVfRS^aZLa>UO^a[=_Nfg^a^lg:E[^acO=VAW^"
+    "agmK:k7^b0;a=BGQb0c<jVS^b8_nYJC^b?Rh^EG^bB:X^QS^bCkOR:O^bIBfjZ[^bJQCYeW^"
+    "bM3iEVGZbOQ6>MS^bPNpEVKpbT17MY_XbUV@5>3PbV[g>UG^bX?JB:S^b^jEUROVbcmmF>[^"
+    "blL;]U_^boYCiV7^c5:>=bK^c<jBfJ_^c?O2Z=W^cAhEiVG^cE;Zn>S^cEhK1MoZcI@:emK^"
+    "cJF?]Qg[cL0>^iK^cM^HJNW^cMlIZho^cXU^BBO^cXZOjMS^cXkAmMW^c[<ob>W^c_H0bfo^"
+    "cbpJ9UkTch6b^FS^cnBeim[^d0J7iI_Qd0W>FV7^d0iN5IoXd6FNYRKVd7l^eJ3Pd:77eM_Q"
+    "d;cOfRS^d<G@BIW^d=9cUmc^dAGF]ZGWdH`dIb;^dJ3MYV3^dN5NIbS^dNA9YnS^dSdofQK^"
+    "dX<5^UK^dZH]2IS^dZoAEZK^dpXdiJGRd^^WVNO^deTcQbO^diC36>[^diFlUb7^dmA?9j3^"
+    "e0cJBB_^e1XE1eO^e22<BQW^e:G]5NGTe<fhY]_^e=VmbNo^e=^a5M_Re>F[UfO^e?3UZQG^"
+    "eFMS1Uc[eK4c=f;^eMA;ZUO^eMoenNS^eOMJ5RG]eSGPFYC^e[30^QS^e[i1NUO^ep4RI>3P"
+    "epVhEM[Xe]_jj^_^ea8:UJ3PeaVPE>3PecaDaVKXefUeRIO^en4L>1O^f1S^jJS^f3Sa:J[^"
+    "f6BX6MK^f793Ffk^f96P=N3Yf<4mJZc^f=42JZ_^f?TOf9C^f@Ahf6K^fB8jV1G^fCAUFVW^"
+    "fD2]J^_^fTT2V2G^fU2ViV3PfUSk]aW^fZ[D>NW^fpVi66[^f^a_enS^faPVaiW]fc>IJNk^"
+    "fe42FMO^fkOgRJS^flNKbUG^fo0DjMS^g<GfJi;^gCPh:bc^gFLIAeo^gGi:bQO^gIQD>NS^"
+    "gS18mNGRgV:mfNS^g`891M_WgaejZ^c^gmlU6VW^go[[>Rc^hBR1V=[^hC>66bW^hEiWUZG^"
+    "hH8a>NO^hK@cQmg^hUI^9eW^hWc?mR;VhXkD]bO^hZP;=bG[hZ`Cj>?^hpRD5M_Wh^6QebK^"
+    "haU8]M_RhaZMf]G^hc_CfEC^hd6eVV_^hgNKVZ[^hjdYRFc^i0NoR=g^i5nSIBGRi;7]YQWR"
+    "i=;S9M[Si?5[YR?]i@DMZYK^iD9CJ:W^iI>Dbfk^iIDbUN;SiKccEbK^iOdYmZO]iPP^J^_^"
+    "iVUnVLo^iZAoJJO^icLQb9S^ioo71E[^j189VV[^j6dcj^_^j<ha5Q[^j=Wkn>O^j=[bZQS^"
+    "jGF5mN3PjSXc2JO^jV?lb1[^jVQd]jS^jVcNje7^jWJl6fk^jWZn62;^jZ1?BEW^ja7B]Z7^"
+    "ja<4BV[^jc?lFZ_^jcAMe][Yjc]AfMW^jfTm:Z[^k7UHV1[^kDE4=Y_^kINI:BO^kPn`FFS^"
+    "kR=RFYK^kVi6f^c^kZdV6UK^k_>k^=[^kfbXb=S^ki`bjZ[^koX`9fG]l0kWmRGXl9Dn^E_^"
+    "l::8F>K^l<l]mfK^l=k@nNS^l@MhZRW^lFh?mZ3^lJZhVNS^lJpVFIS^lRa>2=W^lVAGeZO^"
+    "lVQJF9W^lVXDiMgYlW_mfFW^l]?HNfg^l`DOAm[^laQb2=S^lbfXUmO^ldN5MZS^lj61M^7^"
+    "m06QmJ3Pm0DJ22O^m77RV9O^m<F]^E[^m<K^eF;[m>8MEmK^m>APn^g^m?ZW^IW^mCI_Mb[^"
+    "mI9fMjG^mIFb5M_RmPSaiIcYmVN`mb?pmYNIbVW^mZN6]YS^m_40^V_^mc<hYZ3^mcOUZ]C^"
+    "meZEijW^mgCDBIS^mjfn>UG^mo?<FIW^n3U`:MO^n6FCjg3^n<IB9J3Rn<kdmYS^nHWUeEoU"
+    "nL2LV=S^nUeQMN3Rnb3e9N3PneKTn1O^nfFPZMW^nfN>bIW^njGO2EK^nl8>6RW^o1G0:=W^"
+    "o8R`M^W^o;`gj=O^o=7QEnS^oBLS>VW^oCc^EmW^oF9a1RGQoI0OJYK^oIYS2^_^oK_ZNMG^"
+    "oSlJ^MW^oTQcfIS^opTnfQG^ocAhEjS^od?NbYG^oe;iaiW^of>gaQoUolXJ2AO^00001NC^"
+    "02KbRUO^02QUYRGQ02[N6A[^03be:RS^06QnEN3P0<nQFYK^0=@aJMS^0?P6V9W^0BgC:VW^"
+    "0J7iMJ3P0NRnEeK^0RIeEUc^0YAAn=S^0[=en:S^0poT2JO^0eYA=i_^0gID2QS^0heY>YG^"
+    "0i5gbIO^0jUX]I[S13V9QU_Z149f^QO^15LAeZGY1<p::e;^1BAhR1O^1BTQ6ZC^1I8IfUO^"
+    "1IKYYJ3P1MV62QS^1N1[b>W^1QoMB9W^1S1kNRS^1VK_aVCY1XOUiJGQ1bk;N2O^1h1p]eW^"
+    "1i]X]Yk^1oVFRRS^21pafZ[^23?LVYK^27[_]Q_S2<I92RS^2@?gjYG^2AOajo3^2AZG:>W^"
+    "2BSUV5K^2GbVbV[^2ICB9M_V2Nfe1iK^2SVi2MW^2Ue=BNO^2UlIVEO^2X:12NO^2X`dYJ3P"
+    "2YPDamS^2a?1^UO^2b_QMJ3P2dBJ^VW^2nK1FMS^2o9bJQS^35mU2JK^37fGaUW^3;58bJO^"
+    "3?okZJK^3@UIRfk^3@^_aiO^3B[p]nS^3DG5>]G^3DROeN3P3E_^BUO^3F8_FAO^3LZ1jVW^"
+    "3NHDV^c^3O<HjIG^3OalefO^3Z0a6EK^3pR3bAW^3^Rj2RS^3_UnJAO^3`AR>A_^3akR:V[^"
+    "3g^LfMO^3jFIbUK^3oM;>1S^3oom>VW^429?6NW^42^QnQO^46:3QU_R47IbZVW^492GaQoS"
+    "497bbIS^4;<VZR7^4@[W>ZW^4BL_nAO^4CH>]MoS4F?N6bg^4Fp3fNK^4NaWVNS^4Z>AJUO^"
+    "4ZCc2FW^4p0Sba;^4]AAZQS^4]h7BQS^4^dFRR[^4f3dmZGW4jeWYJ3P4kebaaS^4kipUIkY"
+    "51<7MF3P52K_jMS^53OabF[^58fhfJO^5;?5nJ_^5A[YEmK^5FcWJbc^5Ic`V1S^5Kgo=US^"
+    "5L>;mVGS5NIiM^Op5QK@nVW^5REbnRW^5U;>6IS^5XlCUfW^5YXE]jS[5]JhabO^5^KK]jO^"
+    "5_RMQRKV5_gKn9K^5b9P6EO^5dNn6VW^5gYBF:O^5hKHaN;T5iTDbMG^5mGFM^?^5nh52R[^"
+    "5ni:ZI[^60lEJJS^62K2:VW^64BQfMS^65Ep25O^65iM^IW^67DJ:RS^69JDnUO^6CK?2VW^"
+    "6Ch[:VW^6Cj1=iS^6DC?F1S^6L]@BRS^6Q8NjZ[^6QH]NZW^6QnG]fW^6R9[:MS^6REefE?^"
+    "6XU]>RS^6^X6i]KW6^f>eN3P6aKZNMS^6cCO2J[^6e][NAS^6fgn1J3P6gHi>JW^6iCQ::_^"
+    "6kcL^1k^728@5MoV72l;:QO^7<B?mY[W7LINAm[^7Pi3nJO^7QGVM^K^7S3Z5Ac^7TEIbVW^"
+    "7[6YEEoW7`g]29W^7aRVjMW^7dPGJ=W^7dYk61S^7e`>>]G^7fNPbBO^7hTTNNO^7hf>2UO^"
+    "7j5`RRS^86h`2lo^87jXN=S^886c5UO[88;iMVKX88jV^RS^8>FZR^k^8?5Qa][Z8?AliY[^"
+    "8ADhbIS^8ALObFW^8BgfVYK^8GRVRUO^8M0ejNS^8P:@JBW^8Q6]ZMW^8W10V5W^8^F@INGR"
+    "8dlNJNS^8eFp:6S^8fQFfRS^8fgc>VW^8k4H5ZG^8k`]9YW^8le1MB3P90M?iQ_R92HSJfg^"
+    "93ZmNMW^98=>jfg^9:6G2Z[^9;mRm^O^9LKAjUO^9PD;>Ag^9TZ7BMW^9TjX:5W^9Y3F=YO^"
+    "9]84:2W^9ckA>NO^9hXojUO^9n0P^VS]9n`kBRS^9o37:a?^9oD2j]?^:1AKNRS^:6=ERV[^"
+    ":9cTnZ[^:<=efYK^:<AB]aS^:>O9NAO^:?W]YR3P:@[0fVW^:FKiZRW^:HOFMaW]:J2PiJ3P"
+    ":MKfZMK^:P6<eR3R:TVg5bK^:TnDbES^:YbLUe[]:fPCVUO^:jM6VIW^:nYTfRS^;1:K5F3P"
+    ";1GX62K^;2Qjn^_^;3Jk6MW^;4J`fMW^;5WSiF3P;703IN3P;7l;2^_^;>4=mJ7V;AD>1I_S"
+    ";B:DBUK^;D7^nIS^;F=mB9O^;JbEZBS^;M;MNQ3^;Na2NIW^;O=XAYg^;U=4RZ[^;WL_^UO^"
+    ";[VSV1S^;[nBb^[^;^nhZ>W^;_Z<YQ_R;aCjAJ3P;aJX:5[^;ffF6UO^;kh[QVCp;mJ2mRGU"
+    "<2MZZJO^<38Sf]C^<4Yk>QS^<>La>VW^<@YSMR3P<AMXQ^C]<B?<NRS^<DXhnJK^<IJ4:RS^"
+    "<KPBRNO^<OgMfJO^<Rp;:RW^<R`4jQS^<TC6bES^<TgA^UO^<V<fEJ3P<Vn;VZ[^<W4V=ZW["
+    "<XX1Z>W^<ZgGFQS^<[fNAR3P<p;GYa[Y<beZ:2O^<c61NZ[^<dW8=^W^<h?GNVW^<m@K6bg^"
+    "<mW`Z=S^=0GMfVW^=4Qo^5S^=4TOMjK^=7IYM][^=7QGUZGp=7kmEQcV=9MibMO^=>:Ino3^"
+    "=ChXEM_W=HoIAUcY=L4FnUK^=SQPnZ_^=SifbJS^=WSpZVW^=YHniYgW=YZ3BMS^=YjAfIS^"
+    "=ZiIfIO^=]bF>IS^=_^cNQO^=`P?FIW^=dD`mnW^=lFf:F7^=m0fbUO^>1e5QV?^>9[gj:S^"
+    ">ESn>2S^>Kao^QS^>NCj>F[^>N]N2RS^>OnKbRS^>RRjQRGT>ZIA5RKX>aC_jVW^>aMSEN7S"
+    ">bf=VaC^>g6hFUO^>iIFmf_^>k^E9F7Y>m[^:JK^?8]AMRGQ?;BHfQS^??[?9][[?A1;AZKp"
+    "?Cm:AI_Q?E]>>MO^?Fh>je?^?M_BnJO^?NQ3AF3P?T3WRVW^?UW[^Z[^?Wn]J5W^?Z;RYnS^"
+    "?]Gib^_^?^nj5UoW?`k2^Z[^?b0Y=ZKX?cAp]Z?X?hCY2RS^?lSB^2S^?mN2bIK^?oHXQNO^"
+    "@1XOUQ_Q@3L7ZVW^@8kGJZ[^@9mdQ]_^@?I[i^OX@?fGNMS^@BQ`fQS^@Dc@^JO^@E?^ZYK^"
+    "@G3U2Z_^@MYNjQS^@PYlIQoX@QC0^F_^@VkIeM_R@X<=^UO^@^gf6]G^@ap3R^_^@eT2eVGS"
+    "@eX;2QK^@gF4=R7^@jY8nMS^@lLeY][^@m`8BNS^@mm;^RS^A0fAUQ_TA2B:R2O^A3NcQnS^"
+    "A3Thn6W^A418n=K^A4OFMnO^A7BO^UK^A?N::FW^A@?1jRS^AA?l:RS^ABE9JMS^AF[onfk^"
+    "ANmN6QS^ASK[ZRW^AXDHR]G^AY_?mRKSA^FZ6QO^A_[4ZZ[^Ab`jIQ?YAdEAaJ3PAfH^f:O^"
+    "AhEiUZK]AkS5fZ[^B052bRS^B3cK>RS^B5kC>IS^B8aUZZ_^B9GIbJO^B:iK>V[^B;IRVJS^"
+    "B<I=VQ[^B=Lcn:O^B>]g:UG^BCpanFO^BJGo^NO^BKpoBYK^BL5E:UO^BQ>@jRS^BQBWRQO^"
+    "BS^8nNO^BVP_UM_QBVW>iR7SBXOcFMO^B[;<^MW^B^SBUJK[B^klZN_^B`ETifK^B`XN]F3P"
+    "BaSiRFS^BdOg:IO^BjcKIM[UBopJ1QSVC03N=M[SC4^KEmO^C4h^5RGZC:QIZQS^C;?g>:K^"
+    "C;ZI^a?^C>j8bMW^CCelJRS^CFdEMJ3RCGQ4AN3VCX7V1JKYCXI2BMS^CYTHNVW^C`3>EUcW"
+    "CeXG2Z_^Cf>;:NS^Cg:XJMS^ChYURYK^CkWUfIK^Ck]dV>W^ClOBJVW^Cm=5N6W^D1eAVUG^"
+    "D3>;bBS^D?@S>`o^DANG:IW^DCOV>IS^DFlVRNW^DKb^26O^DPTHYVcXDVp>VJO^DVdB2UO^"
+    "DWG?NNO^DWm9Zc?^DZR7=E[VDc0GnRW^DgH;2QS^Dj4V:i7^DllpFN[^Dm6mM^W^Do5F2]G^"
+    "E0d0MI_RE4hJUfO]E955UU_ZE:5oeQgUE<fUQVCWE?NcjZ[^EA0aJQS^EAMJ2V[^EEd;UQ_T"
+    "EVAC6i7^EVMiNUO^EVU6>NO^EVinn1S^EXP0:=S^E]]_EiO^E_@JiR3PEc<mNZ[^EdoaiiO^"
+    "EeY:jNk^F2OfaNSSF6hfJIO^F;=a=JC^F?^nia[^FFc]jVW^FHaE>VW^FPE5]^G^FRBI:NW^"
+    "FRH1UV7^FUK^aRGSFXU_FNO^Fa@iER3XFc?H>IK^FcZSmJGSFeiN>AG^Fh;j=Q_TG<p05]W^"
+    "GAX9UR3RGCcCbZ[^GD^6B6W^GG<GnZ[^GILCZRS^GMbgaQgWGP`C6:O^GXB0JFO^G^e[2NW^"
+    "G_0NJQS^G_HdBM[^Gc2Z6MS^Ge]@62W^Gf4ZibS^GlT[:NS^H57`Ffg^H5SO9J3PH6Ap^]?^"
+    "H>ODRVW^HC`I>YK^HEc<=UkWHF6k]US^HFCajIS^HFITBRS^HGKS2UO^HGb_BMW^HJV99iS^"
+    "HNmhfQW^HO=TFEW^HORBB1[^HQaVfRS^HT>D^JO^HYCEnFW^H^NoNNO^Hb`BjQS^HijeieO^"
+    "HlXd>VW^HnkkY]kpI3k[fVW^I5@7:UO^I87IfYK^I8VW>5K^IBJ`j=S^ICJoZQS^IDYFJNS^"
+    "IEG_NUO^IJ4B>=S^IU_VfQO^IY>@Je;^Ip31=ac]Ip?]J=S^Ipg>nEO^I^>PmR3PI^>VBFK^"
+    "I_6WFRS^Ih`GMeW^Ii_amUgXIjSb6FS^J2M`nBK^J3h`AZKZJ7MTmnS^J7iNjZ_^J8nlIZKY"
+    "J<K5aJ7SJ>Rb^]G^JDHmBJW^JF?^mUoXJHi6V9G^JHm:B5O^JKH:FUO^JNM=>QK^JQFCVMW^"
+    "JRKNZZ[^JS7=UMcVJXX7n:S^JZ3pjUO^Jpan:YK^J^1h:jk^J`L;:MW^JbIIUU_QJd=EBVW^"
+    "JdD]6VW^JeF?U^K^JejJRNg^JhYRnIK^Ji@W:^_^JkHkEiG^Jmd9M^3^JoDTEmS^K0:dUZG]"
+    "K0=d1Y[pK1V^2QS^K2NOfIO^K;Zm2IW^K=a7nUS^K>ZiN:O^K@7G>MS^KGgeQVKYKL4aQZKX"
+    "KRVZbZ[^KVE;UJ3VKVXMQE_QKXU[Va;^K]7Obbc^K_=bmfC]KbZeVEK^Kde@M^K[KjjJfRc^"
+    "KlD39bOpKmmd1I[^Ko^_aMg[Kok5Z]?^L1SH9ZC^L3d0NJO^L4D@ER3PL4aTIUoSL5hiV]C^"
+    "L6RgFEO^L=InmZ7^LD@S6QO^LE[K:RS^LFL5ffk^LFhP2QK^LI:o5EkVLInnNUO^LO1TJZ[^"
+    "LQ8gZ2O^LUIY:NS^Lpe8RJO^L]79>QO^L]eVabG]L^n25mS^L_4bbMW^LcL?ZV[^Li_aNNO^"
+    "LkC]jVW^M4mMmiO^M5=5=Y[^M7C>URKTM8RZ2UK^M;YUBMS^M<LYVJS^M@X?UaS[MELLni3^"
+    "MHfDaVCpMJ2?F[3^MJF`]I_QMJn<j=W^MLEQZNO^MNmf:QS^MQDg^VW^MWa<>Nc^MX@LfI[^"
+    "MY`Qb=O^M_40ZUO^MhJ5MYS^Mk5i>:O^N1?7Ne3^N4@<fQS^N5NIiVG[N91eMYo^N:mQmjO^"
+    "N;6Y^Z_^N>8kRUO^N>[VJIS^N?116>[^NDmO1J3PNDnPMYWpNF6K6YG^NImjVUO^NLDh>]G^"
+    "NQ@@=JGSNRXZFMS^NSfPJNO^NY>HFMW^NYeMfVW^Npg1=R3RN]:`a=c^N_LNmRORNd:01Q_R"
+    "Ne;H1jK^Ng6JfUO^Nngl:9K^O56?VE?^O6O2YZKYO;pAbNS^O;kfAQgYO?TkUR3UO?eUBJW^"
+    "OAa_F>S^OCjoNJW^OK8OEQ_VONRNiQcWONk8Z]G^OPcM2^_^ORY<FRS^OUH5UF7VOWRAjIW^"
+    "OZ40fJ_^OpYIYRGQO^5hfQS^OafXbB_^OdnmQVK^Ogl6ERGROhAW6]G^OhGGnEK^OiGQEZG^"
+    "OikSRMS^OoU`EMc[P3k3ma[ZP5hLEZO^P7X_UJGQP<M@>5K^P>>=Z5[^PBWnQR7SPC`95ZG]"
+    "PD4`VZW^PF01EJ3PPFnL2NS^PJ2K:VW^PJlEF:O^PK9DMV7SPL0DAF3PPSJfF]?^PT1Z2YK^"
+    "PTXiIN3PPXA6jVS^PXp3bJO^PZh`bZ[^Pp`86JK^P]8MnFS^PcbGJMW^Pd4pbQS^PdGTeV7W"
+    "PgCeeZGZPkB6>MS^Pl>ERFO^PlpFZBW^Pm8bnZ_^Q9=Kj]G^Q;3pYZC^Q=@C>VW^Q=XX:V[^"
+    "Q>fJafO^Q?oJeVKXQ@SRZNO^QAnh2QO^QC?9iQ_QQDaI6MW^QGVNEbO^QL]RRFO^QO6<2V[^"
+    "QOU]eJ3PQOgF6VW^QRIcnN_^QT_E:^_^QXY`nVW^QZm32=S^Q^=V>Z[^QhKlEN7[Qi3JZZ[^"
+    "QkOYQVGXQnB9bIW^R09eiJGRR9o^N6O^R=2n5bS^R>24>NO^R@]Z:VW^RC27BV[^RFXVjZ[^"
+    "RFnj^1G^RG^I69K^RKb29Q_RRLpT5UgVRO<ob=O^RRQOnJS^RR_KbRS^RVE[BZ[^RX_l6UK^"
+    "RXcHmiS]R[8?>MS^Rp_@:RS^Rg?62JW^RimljIO^Rk]<9ZK^RlU=2VW^RneYNUK^S1PK6E[^"
+    "S61g9QcWS7X82o7^S8[fij_^S93`JUO^SC<K]V7^SFjYY^3^SK8EZFW^SNmZ>IO^SWS8bE[^"
+    "SZ7e6QS^SZVDAJGRSZbjYR3PSc1m^FW^SfnpfFW^Si]SbU3^Sj8^>RS^Sk_^QV7XSl_gmR3P"
+    "T8PI2Z[^T;=gRBK^T;a0QYkWT=l^Me[^TGko=fO^TJYhAMgUTKD1jEO^TMZgBRS^TNB`]U[X"
+    "TOZZ6QS^TRScbIS^TT@RYJGQTUpImF7VTYlfaJGQT[bdIR3PT]I5BRS^T]lk1YW^Ta6:j5K^"
+    "Tcbo6FW^Tel:NNO^TfEkea[^Tl036IK^ToB;:UO^U1IGnQS^U2KPBMS^U3VpMR3PU5:7j>S^"
+    "UFnVRMW^UIbQJ^_^UN5^9J3PUN7C=Z_ZUSk_]]cpUW3YjIO^UZpPBfk^UZl]NNW^U^nifUO^"
+    "Ud`5jVS^V03W>VW^V45bjRW^V8]JIF7TVAFk]VGWVC`0bQS^VEHO6UO^VIO_B^_^VIl8RMW^"
+    "VL6i5N7UVOIR=]g^VU]>2]?^VXN[fJS^VZS1^JK^V_O;:Z[^V`UK5nW^VcASmRORVeS8IRGQ"
+    "Vf5Z1R3RVo6o=R3PVo9MFQ;^W1C5nIS^W1`BFQO^W3cK^bg^W52hN]G^W7<;fIO^W:1ZJIW^"
+    "W<aaiMkTW@dj2UO^WDXW:NO^WEEZbNW^WF_b5jK^WH@KMJGQWP;?BVW^WPXK:QO^WSMi]N3^"
+    "WTCf1E_QWZ51>RS^W`L;]E_RW`LK6UO^W`^[6MO^Wb?DNQO^WcJE>]G^WfE<jR7^Wn1I>R7^"
+    "Wo>`2MW^X20h5eG^X29b2Z[^XABGAjW^XCPibAS^XF6fiIoSXF:<VMS^XKf`>NW^XUMMZVW^"
+    "XW43AM_^XWW`NQO^XZ26ZMS^XZL^^MW^XZSCVVW^X^b>9YcZX_PF2JK^X_VKimW^X_pPZQS^"
+    "XbILJFO^XjITJJK^Y0PBUN3RY13obMO^Y1OCnFS^Y2179bS^Y4>LJES^Y6Oe>VW^Y9p[bRS^"
+    "YB:AFMS^YCh:QR3YYDLHEZGXYFSXV=S^YGgX2Z[^YHnkiYW[YJOB2NO^YP6oB6S^YPS?>=O^"
+    "YT3Sb:O^YU:[VV[^YYNEnIS^Y[d?QB3PYp0@JJS^Y]5gN=O^Y_g2bNW^Yf1OB5K^YfEhYRGV"
+    "YhpU6QS^YoBC6MW^Z:=jaN3PZ:h`JEO^ZB^6IUW]ZJ`J>ES^ZO^RVF[^ZOdX2>S^ZPEQNVW^"
+    "ZQA_VMW^ZRMINMW^ZUC[jVW^ZWKQNV[^ZYaP^MW^Zpc3UY_YZ^1^MN3RZd<YQiC^ZhWKJYK^"
+    "ZoCB66W^[07kVBS^[0n2iJ3P[2ZBVQC^[71DBRS^[:`ZRMW^[;2hAjO^[=Uc=aS][A1mNIS^"
+    "[C3h:=K^[C_Kn1o^[O8=NRS^[OccEJ3P[SQFbNO^[UW8bN[^[V<KZMO^[X<OnYK^[p94NMW^"
+    "[];[B9c^[ejYZ=O^[hF1nMS^[iCUZ:K^[i]Gbfg^[mHOB=G^p66NbRW^p=Al^MW^p=p;:YK^"
+    "p>oDQJGRp@_;JMO^pAF0n]G^pB;pZ>O^pBB@BJO^pBMlYfK^pH?jjJ[^pNCQEA_XpNGGfMO^"
+    "pPeEjIO^pPn1V:O^pURd2UO^pVm[NF[^pXJNBEW^pZ;J]eW^p[13J>O^ppE3FEK^pik;NIW^"
+    "pjAQ:^c^pmAZEmS^]1gc9^G^]4i:^^_^]5cpZZ[^]74=QNGQ]8K@F5W^]8jHYB3P]?RN>RS^"
+    "]CEE^=K^]CWYJAW^]FVpNa?^]IY3aZO^]LEn2YK^]MXYNMW^]R1C^=K^]V8PVIW^]fi8^Z[^"
+    "]h0_Ui[^]hceUm[^]hgi=iW^]jVAB]?^]o91ZJW^^83pZFK^^?ib^MS^^@k?eM_T^B60Y]S]"
+    "^BD8QM_R^DiT>UO^^FCjJIS^^I;U:IK^^N_aYjK^^OAFMec^^P8W9]W^^SJlYmW^^VJ4jUG^"
+    "^WGd>NS^^W_gMVK[^_`9]][p^cEd>VW^^eCKNRS^^h7HQVGR^iTfMF7U^jiM9F3P^ndOJVW^"
+    "^nj7iRCV_4eP=ZG^_6JebZ_^_7cCRV[^_<2F^MS^_=2WVJO^_?aNRAS^_BKTN=O^_H7demK^"
+    "_L2N>NS^_MSZBZW^_QCm=bCZ_a@<R6W^_b:[B]G^_c^N>^_^_djIR>S^_f>0F1W^_fE`FUO^"
+    "_ic[YB3P_lMg^RS^`4g@e]K^`5bGVMO^`:6SMjS^`>PF]RGQ`G9JJZ[^`K4`MRGQ`O>ViUW^"
+    "`RcbnUK^`UfM:o7^`]T@bZO^`]p?n1W^`^meIVCX`_KL]^S^`bY1mY_^`cmYFUO^`g8ifQS^"
+    "`hW`Ua_p`iiLRRS^`l4HR9S^`lUJYYc[`oi;ZYG^a1IO^IO^a1cKNRW^a54ob1W^a8HQj9K^"
+    "a?BI:MW^a?hbBZW^aB_?:JO^aFLl9eS]aJ@TRIO^aR>e2RS^aRQ0je7^aRalZdo^aTYP6QS^"
+    "aT_E:RW^aU9CmjS^aZLa>UO^a^LfAR3Pa^lg:E_^a_m5jQS^ak:mj6W^akm@=aS^anMmefO^"
+    "b7BYiQ[Yb9IE>AS^b:`pVRW^bKdVaJGUbL5IJRS^bPNpEVKpbPcabZ_^bRJLNBO^bTXDaJCX"
+    "bVe9bMW^bVhdbQS^b^8]>I[^b`k3RNW^baACIZCWbjoCNUO^bnmTj^_^c17@^QO^c2>l>IS^"
+    "c3IVAfS^c5:>=nK^c8ZnBZ_^c9[hRVW^c?_e]Q_RcAhEiVGpcBLPbRk^cBLbF2[^cBnK2Z[^"
+    "cE;YBMK^cEb]JVW^cG6SjUO^cHRWRUK^cJc^ZQS^cR39=MWVcX1_EfK^cajZnRW^ch6b^JS^"
+    "ci58aMoScl`55aW^d0J7iQ_Qd0LY69[^d0W>FMg^d57afUK^d6:4fRG^d8bQ9U[Wd=]<]JGQ"
+    "d>EA6UO^dCilfRW^dH51i^W^dJ3MYZ7^dJOjEM_UdL@f1M_SdLM;nYK^dN5NIZG]dNA9Z2S^"
+    "dRJofYG^dSeGV^_^dV^BFQO^dWoiN9O^dZoAEZG^d]?iZ:S^d^KkRRW^d^XnnRS^d^^WVNO^"
+    "dbn<6^_^de]5EFGQdkDj>QO^dkSZZVW^doR@^]C^e1k_JRS^e5AVQR3Pe6WGNVW^e8lf^RS^"
+    "e<fhYYo^e=E;bQK^e>F[UjS^e>GCRAS^e?nEjZ[^eFAU>6S^eFMS1QoWeK4c=f?^eQ_;MaO]"
+    "e[i1NUO^ep4RIF3Pep852>S^e]B>ZNO^eaVPEF3PeanS>a;^edaL=jK^eehRb:S^efTEZc7^"
+    "f1OSjRO^f1acjJc^f2;GbVW^f3Sa:>W^f9b9^QO^f=g:eRG^fA8UVNS^fFD7Ba;^fG1mYQOT"
+    "fLg@^2[^fMa=^a;^fPbC:UO^fTT2V2G^fUSk]UcWfV5>Z=W^fWX_nVW^fZ[D>VW^f]i42R[^"
+    "fd1QaJ;VfglDEN3Pfj;m:UK^fk5?NNS^fk[3RRS^fmR=bIS^g9pg1J7Xg>Xa61S^gBLceYo^"
+    "gDHlJfk^gDeP=J3PgFnM5][ZgGi:bQS^gQXEfE?^gRfRAFG^gY5gZQS^g^k15F;Tg`891MSV"
+    "gcDA>UK^gh]XJQK^ghmQnJO^gjQNbbg^gk4U9R3PgkKl>JO^gkM>nQO^gm1V>BS^gmn3NIW^"
+    "h1j;iNGQh;Z7NUK^h>H_2FW^hDiNB=S^hE9mBbg^hEiWUZKphJ8obJW^hJK?eZOYhJel1J3P"
+    "hK<2eR3PhK@cQmg^hUV`^FO^hWc?mRGUhXkD]nK^hY[T:AS^hZW?nVW^hZ`Cj>C^hZ`IJa;^"
+    "h[3U5][Zh[d?aU_Uh]@iV=W^h^nMfMS^h`VfjVW^hc3h2IW^hcpkZVW^hd6eVNW^hd]ejVW^"
+    "hgNKVVW^hj9i^o;^hjac5Q_Wi2`LJRW^i36`=mW^i4U=]V?Vi4c=>NS^i?5[Y^?Wi?7kMQoS"
+    "iDQAmUg^iDaX>UO^iIZiBRS^iIh@nRS^iKccE^O^iP_]VZ[^iRkJUYoUiU_R:UO^iXpTMUkT"
+    "iZ8D>MO^iZ:^NZ[^iZAoJRS^i]7pbNO^i^PnFQS^i`D4bNK^i`TCFNO^ibp^JYK^ikXBFRW^"
+    "inkj>RS^j189VVW^j9I:anO^j;m]6]G^j=[bZQS^j@E09iW^jASTmIoSjB1<ABC^jIMhjJO^"
+    "jKLdebG^jKe?BQS^jMg>BNO^jON5V>O^jYU4EbO^jZ1?BIW^ja7B]^;^jcQ0miO^jgCf:RW^"
+    "jjB?=EoXjl?oVNS^jlWKRfc^k5XLQRKWk7WibMS^k:nDBJO^kC^NQN3PkCa<BJS^kH?BMZKY"
+    "kINI:FO^kKG_^QO^kPZo=jW^kRSmIM_RkT:>Bfk^kU=m=n[^kpmGjRS^k^IpAJ3Pk_^QmV;W"
+    "kfmOjES^kkO`RIO^kknURVW^l50<1ZGVl::8FBK^l:e9>V[^l<l]mnO^lANK:ES^lCPc6J[^"
+    "lFh?m^7^lPJV2FW^lR8lQF3PlUl]2NO^lVAGf6O^lW_mfFW^l^OVVYK^l`DOAm_^lbl]Zbc^"
+    "ldN5M^K^ldN[:QS^lgf8>=O^lo5j2IW^m06QmN3Pm9_<faC^m:pl9iW^m;Y]nVW^mFZg>bg^"
+    "mHR9FMO^mI74VVk^mM5OQVG^mRXM>YK^mYL:YiS^mYNIbVW^ma43MiSpmaJQfES^mc<hY]c^"
+    "mgCDBQS^mgSZJMS^mi51bQS^mi?eME_Qn3PlZJO^np8l9R3Pn^MERV_^nd2CfUO^nf1eVVW^"
+    "nhXoEM_QnhoV1VKZniSgmY[[nkkXMV7Wnl8>6RW^no1EYMSSo2?DBUK^o4><b:S^o9l@iV3^"
+    "o;`gj=O^o<1AN^_^o=7QF6S^oBNH:QO^oBf]nUO^oC;haa[^oFPSfMS^oIX6bRS^oIdANFS^"
+    "oK[SVI?^oM[QZ9W^oPEQnZ_^oQTn^UO^oUfj9R3PoW6majO^oXUZ6k3^o[C]FBW^o`al^MO^"
+    "o`l8YN3Poaga2JW^ocAhEjO^olXJ2A[^00001b3P04DCYQ_Q079b=^3P0E;3YJ3P0]D99JGQ"
+    "0`22BF[^0n;g1V7Y13jiiQoS15EY=R7X1CNP9nW^1P3NFAK^1UbQAM_Q1jl0mROR1mbMAZ?Z"
+    "24l?MQkY25JC>JC^26Fnab3^2>dhUVKS2AZG9Z3P2O[XYJ3P2Pd[=I_Q2VcfeN3Y2YQ_nVk^"
+    "35mU1nS^38pKmVGR3>KNiY_Y3?f>9R3T3B[p]f3P3Ppn=Q[Y3`C6=RGT3hf3^C3^45LUiR3P"
+    "49]aQ]o^4?LdMR3V4@gS]V3^4Z<=UU[V4aDKaRGR4b_;5ik^56MkMV7U59DGefK^5=<gQRCX"
+    "5>>DZEO^5@N:1V?^5C<39eW^5F2OMb3P5JFc9Q_Q5M<AYZ3P5UWY]mc^5[=S9J3P5bEaFVo^"
+    "6D>FQZ?Y6ImIIN3R6KH8]V3X6RG=J1c^6p>h]V7^6ke0aQWR7@nPIN3P7Jn^mQcW7LINAZ3^"
+    "7O7GFAc^7e^89M_Q7fg:^]G^7lfFEMoW8L04Q^7^8N^kMVGQ8Uh]YROR8X^<=f3P8f_M]N?T"
+    "96EU]VKU9>hS9Uc^9HW51mg^9O`A1V7Z9UOCmUkX9Vj3=Ukp9e2j9Qo^:7FkAN3R:LPJmR3R"
+    ":OFgE^O^:S?G1mK^:VPYQUg^:WkHb9K^:`IBUUWR:c>a9V3P;1@2YJ3P;8H@eV7^;OfGNAS^"
+    ";Z@emVGR;_ohiQ_R;aJX9RGR;bJQBUO^<2AH=MoU<AgP=QoS<F_i2:[^<QK6N1c^<W0oiR3P"
+    "<[B;Qek^<a1>MR;X<bKm]V;^=1^e2IW^=;`WUN3R=BheaNGQ=IF5:A[^=X2EMROT=Zhaf?7^"
+    "=[j>nUK^=b2T1V7^=gViM^3P=kk=9V3R=n`[]^3P><am9JGQ>Tk2YYc^>WXkanO^>XZHjAW^"
+    ">eb`QV;X>k>R^YG^>kQcIV7W>llR]R?X?;5IZBS^?GZGem[^?MIJaNGQ?bRjMN3P?gnpZQS^"
+    "?lS8mQoZ?mmhAb7^@6Kb5agZ@9A@YV3P@:RfN=o^@GBR9J3P@HKT]JGQ@NJ`EN?V@Q8YInO^"
+    "@R:6VEW^@d^@JIW^@mTNQnO^A0CEMVGSA7M7YVKUA:BV=b3PAHCg]Q?YAI3X:FW^AWio]N3P"
+    "A`Lm>2[^AaNJFIO^Am3OIR3PB1D[1Yo^B42T:U?^B73]mMkTB8NM=V7^BQc75Q_SBXGkjFS^"
+    "BXkEAQoSBZF4Ub7^Bn4dmR;SC0b^6AS^C0kAEbK^C4ca1I_QC853Q^;^C=YHm^3PCAmpYU_Q"
+    "CDc;9Z3PCRdLYJ3PCYlZf2O^CZn7nN7^CmRAbEW^D;e?mYgWDATBiVCWDBo2=V3WDQgYRFK^"
+    "DSeb=VCpDcKjAN3PDdKcJRS^DjBK^QK^E8UIibkZE<fUR1C^EBUXMMWUED0GaUo^E]E1YRGS"
+    "Ea;mBBO^EdM?e]_^F9V_MmO^FCVn1^?^FFEdmVGRFMOW9VCVFPE5]^3PF^FG=JGQFcb9JUc^"
+    "G6FC>AS^G6OLYJ7VGGG:QV7YGM6=MN3RGNPl]VC[GZ[ZnJO^GpYcYJ7[Gm?db^_^GnmdaNGQ"
+    "H36M:Y7^HD7DMN3PHFm`aZO]HJf@R]G^HN7S1R3pHORBAm[^HX0<5VORHZeZYZ3PHhfl9J3P"
+    "Hion^2S^Hoo:ER3pIBJ`jAS^IQg_MV3RIWVbIU_VIY1QYUcVIihA]N7SIlV:fAS^J9NI]NGQ"
+    "J>FbRBW^JI1omj3^JNWiIR3PJRi51ag^JXX7mR7WJZ2g=V7^JcOpJFS^K3GQ5Q[UK63f>^k^"
+    "K:O_ARCUK;jNVU?^KOY>mR;SKRO[Eng^KYYMQMo^KpGFYQkWKpHDMVGQK_=bm^3PKcR6YV3T"
+    "KfGU=^3PL2d0:>S^L4HfYNORLEH9nJo^LLQl9iW^L]IZ1V;XLc8piR7SLdSL=V7YM5J<>9G^"
+    "ME0DAN3PMZ9cmN3PMd:2MQkYMeTaa]o^MlC]fF[^N>ggZg3^N>iKYN3PN@2N=YWZNF1YeR3Y"
+    "Ne;H1bC^Ngj>mZ7UNo419RGRO1iO]^3PO;X1VJW^O?ja=QoXOOPi=NGQOX3fYZC^OdZHiR3P"
+    "OhkTQ]o^OkYMZ=S^OnZWMR3VP05F]V;^P>>=Z9K^PIJ0Ua[[PPR>aM_QPQln5ec^Pe[^MRGQ"
+    "PhR:ebC^PlJZQIWRPo[m1Qg^Q57_>R_^Q5@BM^3PQ9TV9R3PQ<J4Y^3PQJKF9J3PQQSTEfK^"
+    "R3L9MZ3WR9;<IRGRR:Uk]V3XRDL2nF_^RKL[]QoXR[2c]M_QS0<CIR3PS4MO29C^S:<QmQcY"
+    "S;WAAUo^STkk9M_QSYdCnF7^Sp49EeS^T1=XmYg]T;=gQV3^T=k`ZVk^T=l^MVGQTE6PYZCV"
+    "TGko=Z3PTUm@]J3PTeSH]RGQTn6F9N?WU>n41R;WUD]6mR3UUF7f=V7[UT@]9ZO^UfT^AM_Q"
+    "Uj]FZ9[^V;^=mN3PV>TZAR;YVE^LQQo[VG9;ai_^VOW5UZOTVRLT9Z3PV`MeYJ3PVaVh=RKY"
+    "VgV3eVG]WF_b66[^WINXmRGQWO=[iRGRWPXK9UoVWSMi]^3PWaO;=N3RWd=4Eeo^X15C=N3P"
+    "X@XiMZ3^XF>biR3PXJOnQb7^XP?1MQoXXQY`]V3^Xp832AW^XjnJUN3PY26XaN3PY3QH69_^"
+    "YG@8MNGQYJ6Tf2[^YKA;JQK^YQ@G1Z3^YVdpMf3PY[909VKTY]nNY^3PYkLFb9W^Yko`9J3P"
+    "Z>0PVMS^ZD8eYmW^ZU0SQR3TZZ_VIR?VZp:E]VGXZbEhEfO]Zm15]ec^[<W=aQ_R[MDdFQO^"
+    "[Q`]MN3P[[`kmQgY[];[A]k^[dl4NA[^p6Na:6[^p6PE9N3Pp7YG]N3Tp=XSEN;WppbAQ^?^"
+    "p_Q8MVGRpfZjYRKSpiPI=b3P]4@H>EW^]7QZ]F3P]FdR2UK^]G7b]V;T]OZ`9R;]]pABIR3P"
+    "]`RN1Z3^]fAPmQcV]gp@=V7p]k9ibFO^^5e7:5K^^CT[nN?^^H98ANGQ^ISgQZ;Z^V8ebEk^"
+    "^]BWmQkS^`94EZK^^d1T1MgT^gBfQUg^^m`5fEW^_1;OUVGR_40n9V3P_@D?ZUO^_B2?YJ3P"
+    "_I:Meb?^_k32mYkW`0b5iNGQ`2<e9UgY`<2lN2G^`=4IVQK^`C3U=IoV`OXSJ]?^`RY]=Q_R"
+    "`gc<iR3P`l4HQiO^a1cKMQoWa3>:aV3^a3mk:JO^aLH]F1_^aLRdUN3PaS[2aUoXa^lg:F7^"
+    "ahdRMfK^b2da1R7^b5RZ:2O^b6T7BIW^b<]J9R3Pb?Rh]^3PbI8A6MO^bMT:9MkSbe]?YN?W"
+    "c6TmQRCVc<D0IN3Rc=^_]V3[cEhK2QK^cKgVYj[^cXLTfQ;^c^;WaN3Pd3E7MN3Pd6;SaV?Z"
+    "d<alVJS^d=EF1MkVd>`5Aak^dG=o5U_RdJ3MYZ3PdU<^b=S^dX4_9M_QdY=a]fS^d_<mEN3Y"
+    "e>F[V:c^e?H8^Mk^eA5RMV7SeFdUIQoSeH?DYV?WeK4c=^3PeQlBRA_^eY64]J7Se[cme]o["
+    "ehp<]N3Pf6AZB:G^f=epIRGQfB6h1jC^fGejmQkXfHed6V[^fI@Z=V7^fNpLNUC^fbUD5NGQ"
+    "fi]RAN3Pfk8AUmk^g>g1mYWXgA]NEjS^gEUn1jS^gHg@Qac^gKU9YQgVgKV7MVGQgNKUn23P"
+    "gR_iYV3RgUUH9Z3Pg^0`>=O^gcVYYNGQhH<:6MW^hLWM1VOXhRFOiRGRhSa?=V;ZhYlaf>W^"
+    "hZ`Cj=[^hdWo=fG^i4>7AR7Ti?5[ZBS^iIGViRORiQYeRZc^iSGeMQcYiTbTaYo^iWPMfU?^"
+    "in7>YNGRio@A=UWWj5?LeN3XjNIoN>S^jTI;1^;^jW81mVGQj^Ad9VOTja7B]j3Pjo8T=N_V"
+    "k>^p=Q_QkGAYYQgpkQ0;RAS^kSh;iR3PkX9GQV?[k]hJMRCUk_C9]Yk^kmL0Ya_^l?`1aNGQ"
+    "lGi]6BO^lTiQMN3PlW_meZG^lZMfj^o^l[XMQQGVl^i`1Qg]l`DOB1K^lhbI5V3RlkWgYZ3P"
+    "m9Y99J3Pm@aGEV3^mW>0fFS^mbYlMZ;VmhHoIQWTmic^YUoYn:ZN]McXnJ@V]RCTnYd<nAG^"
+    "n_J6IR3Pnc[B1i[^niJDmMcUnje4=Yo^oCoVfIW^oD9^5N3PoKAlAR3UoP]^RJ[^o`KKmRKU"
+    "ocAhF6g^ojKZQV;^om9SY]o^om:QMVGR00001V;^0593eeS^0Ab3nRS^0^`@]n_^0nRUV5C^"
+    "1Q=XUZWV1pj_N=K^1aK4>UO^24W0B1?^2Oc>62G^2TJbf^_^2_AM>Eo^3B[p]n?^3LEQeiC^"
+    "3`AR>IC^4?>0NAK^5j81ZMG^64b`>B_^6LT=eNGQ6_1>V1W^6kcL^1g^70Qe]J3P77MSZa;^"
+    "7<:p2KC^7Qi]>5K^7ee]V2[^8FJ2jV[^90fKVZ_^99BQRVW^9@DZ^>[^9P6oVUG^9PKSZRW^"
+    "9c^j>>W^9jS96>C^:a>2eE_Q;1GX5nO^;^Kp^o?^=CQCjAS^=D<Z2c3^=Ld0^RW^=bp3>QO^"
+    "?17INVk^?@UXV5?^?]_666_^?eK[>VW^@3N7>UC^@_fLZQO^A6>:EE_RA?1U6YK^Ai6XmIKX"
+    "BH37AaK^BJ`jF6W^BXcF1E_RBZ?9N63^BkMFaN3PC=YHmiO^CGA:VYK^D@06b>K^DONEiIk^"
+    "DcJF>1?^EIPV^];^ER:Vnno^E]LW663^Eljf>>;^EnHJ^VW^F5hl:IS^FPE5]ic^G?98MMGX"
+    "GR[cNF[^Gb:2VM?^H?CP6Jk^HMdL:MW^HU2Q>MO^HWNABQS^JJ[2m=O^JQ96RMG^K;cSRAg^"
+    "KZZNARGRK_=bmig^L>5nFYK^L]2LZQS^L]`HR1G^Lh^BnJ[^M1pHjMC^ML8RMmg^Mk50^>7^"
+    "N3_0nZ[^N?116Jg^NFZ7j=O^NNO@>2g^O1iO]jO^O;SDf=[^OnKcNA_^P4@=NNg^R;b0eVGQ"
+    "RPAoNVW^R`:CUV3^S79P2JK^S>Q]>m7^SdQ_^:g^TGko=nS^U6`1nIG^UW;96m7^UmplN9_^"
+    "VLYJ^5[^V`UK66g^W03Z=^K^W;;3jVW^WMYO^^o^WSMi]Z7^W]7^f9;^W^gpmF3PXBAlMN3P"
+    "XP0=RU?^YD:T6Q?^Z`E<NBG^ZdU=R1S^ZocKUmC^[C_KnIK^[[Me6QS^[b[j>AG^pF69^B[^"
+    "p]cBEJOYpiPI=Z?^]A>bJMW^]Am56fg^]QKD=bW^]`i<V=S^]f2pnY3^]kg6n>W^^ILlN9k^"
+    "^OAFMmc^^lg;miW^_DUU:YK^`>p8jM;^`?m>:B[^`[eVFVg^a1TWRQK^b?Rh]Z3^bTQFb^c^"
+    "cAiVNc;^cQGeV67^ceCen6;^dD@D>5O^dfo=VI[^dgZS^Nk^eCdUaF3PeK4c=fC^f[S7FW3^"
+    "fk1FMno^gNDWNVW^gNKUn2W^gfOJNVW^hPbCb_3^hgJE6:C^in>d66O^j=]3>9g^jXV9jJg^"
+    "ja7B]m[^kXdZ:Jg^kcN0N:K^l2l?UY_^lA3en?7^lF<if>S^lFh?n1G^ldN5Mjg^m5pB^A;^"
+    "mHSWVE3^m`nE^UO^mhTaEN3PnJ?2^=O^ngbd^QS^o=7QF6o^oLU`QZS^okL[ARGR00001ek^"
+    "00Y:iRGQ0WVm6YK^0ZS6aUCZ0[DLFUO^1l@A>]G^2<TS1R3P2^^>:AK^2k7RAmK^2koTj1[^"
+    "39M<EVGQ3B[p^^?^40<kb^k^498pbO7^4CH>^=3^4Q<B1^C^4VM;>VW^4daU]n7^4gXHNVW^"
+    "5APY:i;^5e9FRQK^6>DDnQS^83oTaiS[8I:9Bno^8Tgg:YK^8cepZe;^94J3jYK^94RH:AS^"
+    "9JaJZ^_^9h23NEc^:AO8VRS^:O1D26O^:TjIBjk^:`5[>V[^:i1?9nO^;1GX5bG^;@BX:QG^"
+    "<0PbfQO^<O2C9bW^<jJC:Vo^<lb^65K^=4]1nMS^=FG6EF3P=QL=6AS^=_S[fNO^=boYB6[^"
+    ">?pOE^7^?gJ[f=O^@K?^^fg^@V<g^AO^@]B_6BW^A55_Fjk^A6>knNO^ABQdnVW^AOS9^VS^"
+    "AcC5:i;^Ai6XmF7^B8ZYfE3^B@_]iF3PBPLHBQS^BVon_;?^C9ghZ=O^CJUY>6[^COelbUO^"
+    "CUe`eN3PDSo@EI_RDbIl6RW^E0lTeROTE9RdF2_^EaMCFKC^F4DiRJ_^F`Tm^Z_^FcB2B1K^"
+    "GIKW:fg^G^?Nn1?^G^hYeNGQGb];2VW^Gcb7FUO^H;R^^]7^HB0mBRk^HhoRZBK^I7;DbV_^"
+    "IU:b6UO^IegMZY?^J>A^f2C^JJ[2mmS^JP8]JRW^JZ?3fIG^Jgp[AVGQK2Y[B]G^K;@DNES^"
+    "L1W]Ym3^L^BAEMG^Ljb>ZQ[^M<YHJQK^M@`Cbbg^MahDZYO^MiVm>V[^MjGRjUO^O1iO^2G^"
+    "O2jmYJ3PO8M8:EC^OE;=N>S^OJ^h]M_SQ3BSZ>[^Q@J`n:_^QZDMUnW^QhKlFZ_^R4KRfEK^"
+    "R=BeRYK^RDT9^AW^RT^p5n_^Spd^NY;^S^`AbU;^TLF>aF3PUFlIJc7^UG]Y]]c^UZN8UbWp"
+    "UaA8mn7^UdL];<g^V<dLYbO^VOVJ>Vg^V`pl1J3PW=CUF=O^WJ^ejMO^WSMi]f7^X0<m:9W^"
+    "X@iXZm7^X]><jYK^Y0N1N=O^YWF7j5k^[0N_=Uo^[<h3FI?^[PeknZ[^[pVVRVk^[g7_N2_^"
+    "p>UXV6S^]`a[Z^_^^P4f2UO^^[QG:BO^^a]d2Z[^_P[^Yf_^_ib=ZTo^`HD1RJ[^`VLaEJ3P"
+    "`aQh:E[^alQ=b5S^b3RO2MS^b9bTQfg^bCSTnJk^bVK;:Z_^c6a:6=O^cMMAjVW^cN3N1ZCW"
+    "cR39>1O^cVXhbNO^cfBRa]O^dLQ`AaS^dPoYBV[^dU@_]mO^dY1]VUO^dfn^NUO^e9<D1^G^"
+    "e>S?9J3PeAi:6RW^eFMS2B?^eUkGIiO^f;4Y6MO^fF93NN_^fFiY:QS^fX>Wj^_^f]VlVK3^"
+    "g@32IjW^gR_>>Rg^h9;<jIO^iZ7Hano^ib[1bAG^j6d>f2S^jJK:eI_SjOEUQF3PjbOE:]G^"
+    "jiU<QeW]k1:oFno^k2ogRQG^k4cJ2]G^k<9=EiO^k>CbRAO^ke;hnUO^khGM:U?^l:U]b];^"
+    "l;F=FUK^le@M:i3^lfi6N^_^mB]5iF_ZmHS8Mn3^mXmF^V_^m`>HMMgUnA=7bVW^nYFRmIo^"
+    "nhB:JJW^nkS4AJ3Po52SFdk^oA]HZ1K^op0`=jO^oaWLJB[^00001^;^01b1:A_^06?gmb7^"
+    "09Be^FO^0Bi>1mW^0D:J:NW^0DpHJUO^0S^0FMO^0V59:BS^0WK6aNGR0XE@RMG^0[`6>1c^"
+    "0^2;6UO^0`GFIU_X0cDR6M;^0de?5RGR0hQ9NO7^0oMmN_?^13SAN5S^14^[QZ;X15pk6BC^"
+    "1<?P62K^1<`aIiK^1>Jej1k^1?dcZNO^1DAa1Z_V1HmWae_^1Igo>QS^1MBW:A[^1N?d1JSX"
+    "1N[PIZ_^1QnXnJO^1RJ5BI;^1Tg31Ecp1W@n>]G^1]Fbj2G^1^p`Un?^1_i;6MG^1fA<Me[^"
+    "1g?L2BW^1nCBE=oW26c2BE[^2;JP>IW^2>e8:9W^2?bDmJ3P2A4IjES^2CQ9ijO^2CcJZZg^"
+    "2DY=fYG^2EG]9Qop2NiCinO^2P?AUj?^2UVUBIc^2Wc]MUc^2XAGMmg^2dEFF6S^2l4Ef9W^"
+    "2lGL>9O^2m]IjAW^2ncFVZk^30GY5ag^31Dei6K^32F8fJW^353ZefK^35_Oaec^37bYJfg^"
+    "3;QNAb;^3AabQf;^3B[p]n?^3IchIYo^3MmNURS^3TCTfV_^3UT3:e?^3UggF1k^3]im>Q7^"
+    "3_?jjdo^3cg;6YG^3gB0b5c^3k=KnZc^3lbKJVW^3loHZR[^40GQ>V_^42KemUk[47kSYjG^"
+    "4:nQJJS^4GJHAac^4OLN9YS^4PbKf=[^4UIp2IS^4W`db>W^4XdQ^EO^4Y6bMJGR4]_`jbk^"
+    "4j<e6Vo^519Y:N_^58li>9C^5=k;anG^5@6QV9_^5@no69[^5APOG??^5BDlbAW^5JYCIek^"
+    "5PG<66k^5T:j:>O^5VSHnN[^5hk7^BW^5jOJ9Z;^5nh_2Zc^661>2NO^6@Pcb9c^6D52fIO^"
+    "6EK0R]C^6EO6FVc^6Id5bJO^6PToQnC^6Qjm=V?^6YBjFRO^6YOI5^?^6Ym35mk^6cIM^NO^"
+    "6dQQ:NG^6n37j=G^6oI5VQG^70O2BZ_^723D]m[^75WSbLo^76_FR:S^76mQNa?^7==9ib?^"
+    "7Ai;^:S^7CMN9b7^7G6VIFGQ7KOT1i[^7M9;>IO^7OY:=jg^7QdlAN3P7TFNR]G^7_7nf5[^"
+    "7_UXfAS^7`kVRES^7eRf^MO^7li7ZFS^823<fZ[^84U3IJ3P8F3C^VW^8O3ORMS^8PZOaiC^"
+    "8Q89b5_^8RIEjJW^8UZ1E^G[8X=Seb[^8Xg9BYK^8YLPN:W^8_KLR^c^8khPbJ_^90QVmRC^"
+    "9?VgIjK^9Ab==j7^9BZZb=[^9EUcR6[^9R2g^Jc^9_7M^]G^9b47mjG^9jVcFJc^9l;5e]o^"
+    ":3D^>9S^:7XIFVW^:::IVIg^:>O9NAW^:G6p:QS^:G:b2:S^:HAR6jo^:H_4Mak^:R@[>2?^"
+    ":SVXiMop:WkHb>3^:[X^bF;^:^:cMEgT:_ZWbUK^:e59JNO^:ekl]aK^:jPh2RGQ:o^cV9O^"
+    ";14a>IO^;2:]n[3^;3_0J5[^;8K2:2?^;>heUn;^;DV^>>S^;E99eZ3^;LBb>MO^;M;?]m[^"
+    ";QDejFg^;pFmnMS^;_@`6JO^;bWB>AS^;g>RJEW^;nTcF6K^;o?SRVW^;o@XB2G^<;Bjn>O^"
+    "<=eC:QG^<BnOQnK^<RceN=o^<Xa3FQS^<eO:nRS^=2=BYf?[=DFFJ=S^=ZhafF[^=pa6jRS^"
+    "=bIejFO^=c_cUV3Y=d=CnQO^=lBO2^o^>BChZFO^>B_E1V[^>G`>eJ3P>JJ`5Y_^>SlFf>O^"
+    ">UBDQYSV>[BMnVW^>`:CfQO^>aFCNB7^>e0U2J_^>hpTJJS^>iHIEV3p?1JO>9W^?2`LjEO^"
+    "?3fIV>O^?5Jp2=S^?6Ghj:c^?:6]f6G^?>]n2BS^?@TQB6?^?FBIj6W^?FdeM]k^?NfkIi_^"
+    "?RhdJEC^?S0QVB[^?TH6ZYK^?bm09UgU@0@Nn6C^@A`FFaC^@T<JbIS^@U`]>VW^@[lKJUO^"
+    "@^Lkf6W^@bNdfE[^@o8V2m7^A2S0YfK^A9Hp2:S^AF225ic^AVfdFUC^ApPeZe?^A]TM6UO^"
+    "A^hjBAS^AeKOAUo[Amn:^k;^B8E9Ui[^BHIEFU;^BL6Ka]g[BPKK>1O^BUX2RBG^BWN`b>S^"
+    "Bpn9Zfk^BaeTYfG^BaeoNYK^BigZQmO^BjH@6FO^Bk451fK^C4L8VUG^C5R5B6O^C6d:=N3R"
+    "C76G^9[^C9kfB1[^CAml:I7^CB@<j2C^CFl>^FO^CGn5Unc^CPRW1eW^CSH5UZ;^C[J;MUO^"
+    "CkNG>Ic^D1l:Z:C^D3PM5Qg^D3U8eVKTD5`MZUO^D<c_6FK^DBp;FBO^DDjVQmW^DLlpIQc^"
+    "DT6RR]G^DWLHj6S^Dp8JZMW^D^>;R]?^D`8WNFW^Dd:PR9[^DhfRF2O^DnF@22K^DnTJni;^"
+    "E2mP>U?^E6M7MJ3^E7ZJf1?^EHWLjUO^ENEX9NSYEP7YEB3PEXRP2I[^E`6kjIS^E`TUj=W^"
+    "Eg:lUF3PEh91bIC^EnSiYE_QEoYfF^g^F8Ga9mO^F:QJbNO^FAUA6=C^FOdMERKZFR76fAW^"
+    "FS4C]FWVFY[R]]K^F^C]9F3PF^YeC33^F`6JUM_SFcQ@AYkYFedn6:S^Fi67QJGQFk5p9]k^"
+    "FkSF:1W^G37b1A_[G67d>ES^G7=`j6K^GCYWbAW^GCkhUfC^GDVdYN;SGHEYV6S^GHWjFRS^"
+    "GIYa>C3^GK>3]YWYGS]cV:W^GU3a=ik^GY[1IJ7SGpX=9aW^G]5g9mc^GdZC1N7SH1;kj=S^"
+    "H1aPfMW^H1o4FJ_^H3WfB>S^H5<8ab3^H69EUJGRH9h:Q^K^HE@DQ^O^HFVB=j3^HNXH5f3^"
+    "HORBB9G^HUb>>YK^HadC:B[^Hb^LjU7^HcD1c13^Hd4JR];^Hef<>9W^HkJ[MbG^Hl6PJAO^"
+    "I01kZ>O^I88c9ZG^IBJ`j=S^IE?e5R3PIL>gmeg^IT@mf9;^IUVkRIG^IZ>;^ES^I]Y1J=[^"
+    "Ib@AUao[J1ER2NS^J29j=RSVJ5n8fJ[^J=aHj9W^J?XY6NW^JC8mRY7^JEcNb9[^JG9LN=[^"
+    "JO;REmW^JSbbR=W^J`EPnjk^JgPYbNW^Jm_WJ>7^JoCieUg^K7cOj=W^K8[mJMo^K8iLUfS^"
+    "K?eUb2K^KHiRRES^KJ?P>ES^KJCV2JO^KKELj_;^KNXUNFS^KUIO>>G^KV_LiZ;ZK[F]5J3P"
+    "KbcKfIK^KiF0fRK^L2gWVQG^L5CQnFW^L6gdIik^L:F>QFK[L:L3NU7^L;Sf>2G^L;b1:m;^"
+    "L;kcNi7^L<@NbN[^LFl09^O^LHAmej?^LPD3]ik^LTkCj^[^LcOnf2K^LdJ8RAS^Le`6>IO^"
+    "LgQgf5_^Lh3UJRS^LknTIaW^Lm6G9ZO^Lmb<6AW^M1]WF>K^M8l1AQoUM9dNabO^MJ<WQiW^"
+    "MUNoN=?^MUlYN5_^M[igFE_^M][XnUO^M_D]2MO^MecTnno^Mf[UIN3PMgZ6fg3^N2^lj>7^"
+    "N31=ZJS^N5F6YJCXN=;E5ZOYNEM=nNS^NG1PMYgYNGO:Mm_^NS;dZ^o^N^a`:RS^Nb1<Vbc^"
+    "NfhWUjG^Ni<ENRW^NoKC2JO^O0oUQb?^O9O;R=W^OKk;fI[^OM18Rc3^OPDA6JK^OQ96>US^"
+    "ORbIV2_^OW5:j9g^OXK8UJ3pOk1pRNG^P0nVfUO^P4SCBIS^P6]06RS^P6o=VJS^P8SP6=W^"
+    "P=?QfAc^P>>=Ymc^PHW[e^W^PImYQ]g^PJf4eJGUPJlEF:C^PQo_Im_^PZk`:Z[^Pe;ZNBO^"
+    "Pf5d>=S^PgKajEO^Pi=SRMW^Pnb2eVK^Q;P:MnW^QBYbfQO^QFQe>UO^QGbo=^O]QH9PR27^"
+    "QQMONNO^QaYmnVW^QiEbNo3^R22H6RS^R5[dYfGpR9EP:FS^RG8iZ^c^RI:f61c^ROP9N:o^"
+    "RZAi9MWTR_JW^RS^RcphBVW^RhTCAY_[Rnn<RQO^S16n^FS^S9diR1[^S;:g>9k^SMVgRI[^"
+    "SNpd>R_^SQola^O^SX`fRB7^SZ6d=MoTSgB6Mn_^Sl]H:RO^SofBYa;^T6>nj9_^T8ZiBJS^"
+    "T:?;^9_^T=i^^RW^T>k=R63^TG6HFUO^TJCGQnc^TKYE9YoYTNJLnfg^TS[K1m_^TW]D6Q7^"
+    "TfgF9n;^Ti7MRIS^U0M^MVO^U1F9aF3PU4Ia>VW^U;bpZ^_^U=;f9b?^UIe<>BC^V81Y2FO^"
+    "V>=;^:G^VHdUBjo^VJfQb5c^VL7]fNO^VU9_]J3PV[[D2QK^V`UK6>S^Vc]Ij=_^Vo_pYZK^"
+    "W2bZFNW^W:1ZJMK^W<fRj5k^WF_b62O^WM=e2hc^WPjkMUgXWSMi]Z3^WU?jj1[^WfZ4Ef;^"
+    "Whmb:Jg^Wnp:=][^X7jZUmc^X:FTn6K^X:n:9FGQX;2IjQO^X>`En9W^XB<2j^_^XFbKfM7^"
+    "XHb42YK^XKo3:S3^XUG6]mk^XX<UA^3^XYHobpk^X`>[9m?^XdWb>J[^Y0Bfj9W^Y17kFVW^"
+    "Y29J9b_^Y6`ZFFG^Y8DlaQ_^Y:2@E6K[Y>gQa^3^YH11nFS^YI_6=j3^YQa<5Ik^YgJOm>KW"
+    "Z3HjZUK^Z9]D^RW^Z;AW9Uk^ZB9E]F3PZDmD>UO^ZJP@o77^ZS?12UO^Z[<=]NWTZpeZ2fg^"
+    "Z]Fo^=S^Zd]@ZBK^ZdkKVaC^ZeI5VA[^ZfK;W4k^Zj0EaF3RZkkZUQc[ZlmQNIS^[1KHAZO^"
+    "[4NF2RS^[5::mI_Q[9];NVW^[?EjNNO^[FI`b1S^[J=i_33^[NiPZAO^[R51YJGQ[RVW9R7S"
+    "[SP`fQ;^[ScKBi;^[T`SFNO^[VkVR9c^[WhcIQ_Q[^P2J=;^[fp[jMO^[iR:NE[^[jYMbVo^"
+    "[opXEN3P[oj;eYoXp7V9Jbc^p7lA]QW^p<2@VFO^p>FI^UO^pE3OVMW^pHN7N=S^pIKDEJGR"
+    "pM:9B6K^pMZ^fVo^pP2SIA_TpQaINFO^pXRCB:O^paLpf1O^pajFb1[^piNb]M[ZpjpU=NGR"
+    "pk8g:5S^]2YB]N3P]3e5b2g^]60KV1_^]:0XMig^]:meAF3P]>pZ=bK^]@S=MYo^]J4d=^;^"
+    "]KJai^;^]Ro=aF?^]SLgaj3^]gRlR1K^]h8QNm3^]hhj>]?^^0?;9V7^^0k065_^^2`eBjk^"
+    "^4fKF6O^^5e7:AG^^68?IQWT^:bYFR[^^;I0FBO^^<mBe^3^^AT`bE;^^L;lZfg^^OAFMi[^"
+    "^Q3GZ9[^^Y5MRLo^^ZKK>UC^^_2[JES^^bMQ6ES^^eUDJFS^^fHlBBW^_373mn_^_6:1^JO^"
+    "_BUhV1[^_H@05YCp_JWnN1W^_Kml:=[^_T022=[^_XWB>=W^_Y^cAZKY_k=f:IS^_lE9NVc^"
+    "_lkH6VW^`23QR1W^`2T76BC^`48IQeK^`6LXVJO^`9bQ2IS^`<:OJ9[^`O85^VW^`OFJNJ[^"
+    "`PnlNZ_^`R<8=F3P`[SlUag^`abJaRCY`kjI66O^`l4HREO^a5PaNBc^a;pD65g^a>G<:^_^"
+    "a?@S:U?^a@HEj6;^a@VPfi?^aB>i5]_^aGlaaZO]aK`OejG^aM6MQbG^aTZiIVS^aU8SIn3^"
+    "aUe;nVW^aY`PQN7Sa^lg:Ek^a`P]J2O^ai>X>9W^ajTUjUG^b0c465;^b1jfejK^b291bMW^"
+    "b6R726C^b=4p2BW^b>XnMb3^bC=KZVW^bMgXBNO^bZCO:=S^bZa9:9[^bp76fAS^b`^G2IW^"
+    "beEW>5W^bh4WnJ_^bh`Lj9_^c4b_ZBc^c7SLV9g^c7e]FJO^c<ND:R_^cAiUeQSYcKf05EWW"
+    "cLCZ61W^cM3CO8_^cZBmfEW^ck]7AZK^cliQbAg^d3_=:5[^d5d5=i_^dQ26:>K^dRZX:^c^"
+    "dU8`b6S^dZBn2e?^d]?XA^C^d]o[bUO^dcN6MVO^dnP>R5W^e1XSjA_^e7<M62O^e8do62c^"
+    "e9GbjIO^e:a`^JK^e;c]B:O^e=GobB3^e>F[VB[^eCjTaUo^eF[A^>S^eIXMINK[eK4c>6O^"
+    "eML;R2G^eNb9=e[^eVC62]G^eVFU5jc^eVd?61o^eZf8:QO^eb<I2>O^ejjCjAW^el@AVQG^"
+    "f3VRN2C^f>`G^N[^f?L<YI_Qf@DZ9Yo^fS6`mR3Pfd;dEmS^fg1Bj=W^fi`CZ6[^g6NKB>O^"
+    "g9?8>MG^g>9of>O^gMoEb5_^g[nYR9W^g]6:VgC^g_6HeMWRh7O`en7^hCh7:MO^hR]aanK^"
+    "hWlW>Z[^hZ`Cj6G^h^kCi^G^he9b5ZW^i0;j:1W^i8h8anK^i9lpj2W^i;3NV5W^i=OHnBK^"
+    "iEV@MZ3^iHFmJJS^iKD95NS^iO7g::O^iPMde]cZiX2@^>c^ipQcbQG^ich4^:O^idSiYZC["
+    "ig`VBZg^ilUoR=W^imkm>IS^j4@_F^_^j5B>9n?^j6:YMNOTj9iNFBK^j@L3FZg^jB0Ee]k^"
+    "jI9n:MO^jNY[jJ_^jkKoAb[^jl8[VUO^k1IVVbc^k386nUO^k8:6n6K^kC1[J:G^kW32QQcU"
+    "k`Oc^ES^khQiV>3^km^Pn>O^ko4NYe_^l0@i6Eg^l4T<Eb7^l::8FRW^lA=RJ5W^lDKB=^O]"
+    "lFh?n5c^lR2D^]7^lTIMN:O^lZ4JV9K^l`DOB1W^l`VoUQ_Ql`ZaAF3PleB1MJGQlfeMb2g^"
+    "m1gUf9S^m3PYi][^m:SdMfS^m<_:B1_^m>982NO^m?;4ZFO^m?bYfZ_^mCTeZAO^mGAl5ak^"
+    "mKVkRAK^mLodaRS^mMI8>VW^mPcRf>O^m]14mf7^m^=ONQK^me3:f9C^meS`JFW^moWXjAW^"
+    "n57FVAS^n6mif2C^n=9LMaK^nB7_2fo^nCp1M]c^nE]2Vfk^nNSUib;^nVU[aI_^nfYgREW^"
+    "njHZ>EW^nl1L:QK^nm7Zn>k^nn[mI^3^o35BBjk^o7o?J:O^o8=JFMO^o9ebUn?^o=7QF:W^"
+    "o=g[Z>O^o@66e]_^oH8<]m[^oLAbiROZoRWi>NS^oVS`ZMO^oYI[fYG^o_45YE[To`g2>]G^"
+    "ob;OJEW^ocAhEjS^oi_kBi7^00001^7^08K8^ES^0FQ]9ZcW0[G75Yc[0_mlMZWV0`aG6Zc^"
+    "0nKU]UKU1X0SIbO^1YH^bUK^1`[3Re7^1`daZVW^1fJ6JJ_^28?3Y]G^2>:jEfO^2Ji21mc^"
+    "2LA=JUG^2SWWnJS^2c9Z:R_^2d<WbUO^2fQ8^67^2j9E6BO^35K7^W3^35mU2=g^3;]nnUO^"
+    "3B9?J>K^3B[p]m[^3JQ9Qb?^3Q3>Jfk^3]aF6>7^3e5=]mW^49ILb>G^49Q8MJ;V4@leim?^"
+    "4EBgJQC^4Vjk6U[^4^_6]mk^4iO4jTk^4o>7fJg^55aZMZG^561;iZC^5<mpZRS^5NpC2YK^"
+    "5YIQbnk^5`LpF>S^5`SAUFGp5e^0:EW^5h8REmS^5hZ95^S^5mAIBF_^62mFRBK^6P7Abjk^"
+    "6SE:mR7]6XVNbMS^6]8`JNS^6eiDaeK^6kcL]io^7@l]:bc^7BE9iRGR7E32nR_^7Ofp:MS^"
+    "7PKO2UO^7W:SeeW^7_^lRMK^7mXXVQW^82C6EQ[]88;iNBW^89T4fIS^8XJI]eS^8^F@IfW^"
+    "8i0fJUO^8k4H5f3^8lLSNUC^90ZXVNg^9;aGj>K^9IPl^JO^9UVMb:_^9p9<EZC^9aRhbYK^"
+    "9bDUN:?^9elafRS^9n]F9^W^:1>TNN[^:>O9NEK^:BS5^IW^:E?3Flk^:WkHb:C^:[oE21W^"
+    ":^[BZE;^:hRmnMC^:hpYVjk^;1GX66O^;>jLb9S^;UXj1^[W;Um0Q^?^;V<QmE_R;ZRSNAO^"
+    ";`O@b2W^<24_9fK^<<7GMUg^<DUIFBO^<EiF>=S^<HeO9AS^<Qb`f5W^<RDn:NS^<X?65fO^"
+    "<dm=aEk^<k?09iO^<n`cBJO^=0BWfbc^=3GTf=c^=8adfMS^=@5pQ]kp=ZhafGG^=a83>Z[^"
+    "=gOD1a;^=gViMjo^>022>YK^>AZ5jUO^>Y_Jj5K^?>QVNBg^?K?^9eS^?LWiRIK^?[8oR>S^"
+    "?]NRW33^@5ace^S^@7TdZNO^@A]lbbk^@BOkQjS^@Ch6jQK^@DBlFQG^@K:K[0k^@QIjRNW^"
+    "@]_;YmC^@^82>>C^@b^KbAW^@jPbjUG^@m21>JO^AFZkEMW[ASW@5^G]Aemc2>S^Ag?HUZ;Y"
+    "AhI>NUO^B3lO=aK^B68FQZGpB6bo6N_^BCXp:>k^BT;f65S^B_YKfUO^B`im]fK^Bcm0nFS^"
+    "Be?o>NW^Bf4pB5S^Bi0e=M_^Bi[M^6_^Bj[5f=_^C1n6j=O^CAJC>U_^CDXkiaS^CSRjinS^"
+    "CSnM2US^CXm:jQO^CYVhFIK^CZfRQm[^C`A2V2_^C`NmfIS^D;i9Ai_^D>=lanG^DACIBRS^"
+    "DJl4MVCYDP=HBMW^DVp>Vo?^DaeKnYK^DcJF>5;^Dm2fZRc^E9j`nEO^E<fUQaG^ES==YfW^"
+    "ET;]FRc^Ela2JJW^Elc?VV7^EmVkVIG^FI?2BEG^FJ>DZ]G^FUm9j6S^Fp@1:UO^F^aH:VW^"
+    "FbJib1C^FcZSm^K]G1U@VBW^G;g95US^GE^dEQkWGVMnmRKUGYkNn>;^GpD19ZW^GpF1:AO^"
+    "HKWRBVW^HORBB=;^HVCpUQGZHhnQVB[^IBJ`jQ?^IF@2FA[^IHZTQec^II<;AAK^IR9LnLo^"
+    "IXZaFa?^IddAmj7^IeVOiiKpIkUpB93^IlNUIR;YJ0H2i^OZJ3^@mYopJ98PnUK^J@LHYUo["
+    "JBl<^^g^JOFGZBO^JVlO2V[^J]QNVaG^JaN_FJS^K0H^FMS^K7pV1ao^K=6f1n[^KYC[1ic^"
+    "KZ672AK^K_=bmmK^KdaI5nW^L4G3JJ[^LLnUZF;^L]Nl:MK^Lo>GR9[^M5=S:Fc^M5BVaV;p"
+    "M68OnFg^MD>c2QG^MK`>6O3^MYObjbc^M[Gj9nc^MfEP2YK^N<kBnFO^NgV4]bG^O7<fmN3P"
+    "OOI[BAO^OeV[FVO^OfKHJA[^P2Dc2IG^P4mONe?^P<A2bQO^P@J52Z_^PB05^FW^PG;OF5K^"
+    "PJlEFVk^PKa2F1G^PSiW1RKTPTT?R:_^PYCg2UK^P`W^]I_TPo=W=nO^PoQ]^6O^Q77e62G^"
+    "Q8]ebZ[^Q<?eIQS^Q>_YO73^QE_DJBO^QPT4JES^QUp4]mW^QWCnB]G^QWFEEi_]QXGT1b7^"
+    "Q]B<26K^QkIEn]G^R:AM6MG^RTRIJVc^RU77amG^Rm9k^RC^S2PjJAO^S@fJIV;YSE54>I?^"
+    "SE>bFVW^SJd7:2c^S_84BVW^SdJ96QG^T4oQ2^_^TGSZfNc^TNSEbBS^TZB;5N3ZThHN:RS^"
+    "Tk]A6bc^Tnk:=^;]U24lJVW^U8^_^NS^U?ZSAZKYUAOD1NG^USjjYNS^V5IcYVWZV;DkbQg^"
+    "VFV^N1c^VI1@YUK^VIZKeecpVK=829W^VMi5Z9K^VRP96I?^V`UK6:c^Vm;mBJ[^W44m5E_Q"
+    "W9O=6IO^W:1ZJU;^W=cRNZ_^W@aTBMW^W@c4aMGXWDf]2>W^WF_b5jW^WPGpBZ[^WSMi]^7^"
+    "WWC;:BK^WWGG>BO^WWJfe^G^WpK;N1c^X0_JNIS^X5gJbES^X7ODFYK^X7_;YZ7^X83B9eC^"
+    "X=MR6>O^XARa:JO^XJ;Yaf?^XJCEMBS^XKTp2]G^XZLc:I?^Xp^l2FW^X`e2VAG^Xg]86EW^"
+    "Y4]_N:_^Y:AAimK^YMEAbMk^YPEf:R_^YV]725S^Z1>iENCUZBKE2F[^ZDUO:MO^ZPNUMmS^"
+    "ZZkQ2VW^Z`;HZFO^Zm_INJK^ZmjmJJO^[3e5J2K^[:MQ9I_R[@S=5b3^[HSd>BK^[JFbRNO^"
+    "[KhW:VW^[S7FiBSW[gl`eF3^[iY41mO^pC5CEiS^pLlnZ9?^pO`GJY?^pfb4R1o^pi<V^9O^"
+    "]70c6V[^]OT9Fe?^]YZS:IW^]i0HZAG^^5]Q]VGS^6^nfJS^^7NQ>J[^^A=aYF3P^IG>MZS^"
+    "^J91f=K^^OAFN5[^^Pj`RMW^^S:cnNS^^X>X9b?^^]Xh:6K^^_hkZA[^^ea8RIK^^f`JjMC^"
+    "^jFoen?^_5d86^_^_:X9>A3^_KmJVB[^_Ti5RBS^_cZp6UO^_mPWfQc^`0Q<>^c^`DS;V1S^"
+    "`HYN^NO^`RHnFS;^`bV[6Nc^`d`e>lo^`l4HRA3^a2]C:AS^a7KZ>1_^a8SEF6o^a?S0BBS^"
+    "aHa222S^aLMEJfg^aUO9]b;^aZDc95KZa]0BRYS^a^lg:]C^aoTLFi7^b2WpJJ_^b6@miR3]"
+    "b6LQemo^b:TmfVW^bH86iYc^beLPa]K^bjQWiiS^cFmJUm_^cIGlb1G^cKSd:IK^d9ei>EK^"
+    "dAGF]fW^dHG1ZJS^dWYgB>W^dXajAmS^dedCniW^e7hGQmc^e8In>1O^e=d>=nO^e>0i2IG^"
+    "e>F[VBk^e?@SAYo^eH;HaN3PeJREimo^eK4c=nS^eUoN:^_^eWM8Ea;^eZcOB9C^ebWmMjO^"
+    "ef:LV9o^eoF5:6O^f54KVjo^fAj>mjc^fFjSV2W^fM[mjIW^fPpRBV_^fQLgFRk^fcknFe?^"
+    "fd^QZ=S^g7W>F2[^g;MBf9W^gBb1:>W^gDl;BYG^gJ5F]^KWgQ;36FW^gWW0B9[^ghlH5b[^"
+    "gnXEFUK^h5JnF:C^h5ZOafC^hH4TYak^hZSZfZo^h^R;nJ_^heGD2ES^hgNKVo;^hhCLmV?^"
+    "i1@^ZMC^i@^1enk^iJpmn1S^iML9Mjc^iX?bZIO^ig6UjG7^jFKm1Y_[jja^^MK^k7e=Fo7^"
+    "kPhV5]k^kVQ1IaK]kX3]V1S^k]oTBFc^kcGpBR[^kfcbR2W^kgF=JNk^kh14NQS^khZ:BQS^"
+    "kj][n=c^l4=JnI;^l::8FVo^l:neF9C^lAkOBaK^lFEbYm_^lFh?n5G^lLI5aVGTlMX9fEW^"
+    "lU?aZRc^lV@:jVW^l`DOAeO^m0ghG7;^m=V02:?^m=][]V7]mDigZ1W^mV=RFNC^mW9k1JCY"
+    "mXKAVUO^mbmG=n_^me7QFEK^n7bFEaS^n>S`Ye_^nGg<BUO^nI7^9RG^nPSNbm7^nUVDIf?^"
+    "nUeeeZ?^nYWSjJc^nYpWQZ?[n]V52Zc^o0:>f:g^o;`[EbG^o=7QF7;^o=icV^_^oERZ6EW^"
+    "oFUgRU?^oHNc1I[^oJcVQVGYoTCe2^_^oVS`Zi3^oaECZ>O^ocAhEc3^0002Fdk^0005AaW^"
+    "0006Bk;^0006EZO^0008MY_^0009>5W^0009MIgZ000:n>_^000;UA_Q000=2W3^000?N]K^"
+    "000@>NO^000@AVW^000A2I7^000AYJ3^000C:Q?^000D>]?^000DV6W^000G2O3^000I=mS^"
+    "000LJdo^000MJQG^000NR6W^000PBg7^000PE^S^000RM][^000R^e3^000SQQc^000Tn:[^"
+    "000W6Nk^000YRIW^000Z>BC^000ZAZ[^000[2E?^000[]R3^000pMf7^000]:MG^000]JVS^"
+    "000^>Y;^000^eaW^000a2Jk^000eC;?^000fJa7^000fNFk^000fZVg^000gNAG^000iRAk^"
+    "000jBk7^000jEbW^000jVi;^000km>GR000lMe_^000l^do^000mQUS^000nn6W^0010J=_^"
+    "0010YIoS00116F[^0011bRg^0013RE[^0014>FC^0014E^[^00152AK^0015B^c^0015]Z3^"
+    "0017JN?^0018>M;^0018ee[^0019i:K[001;2B_^001;b1S^001<1>;T001?Bfo^001@JUC^"
+    "001@ZJg^001ANAG^001DBc3^001DEjK^001DVe?^001F1FK^001F^Y3^001GQYS^001Hn2S^"
+    "001IYeSp001Iji;^001JVbo^001J]Qc^001MRA[^001NBBG^001NEfS^001OFbk^001O]Z3^"
+    "001QJBC^001R>IC^001RiiW^001SZIO^001SiBC^001V1NG^001Y==[T001YB[3^001ZZBc^"
+    "001[N9G^001]f^_^001^BVc^001^Za7^001`1RO^001`^Q7^001aQYO^001bRfg^001cji3^"
+    "001dZZk^001d]U_^001gREc^001hBBC^001iAJKV001iF^o^001kJ>;^001l>EO^001lim[^"
+    "001m:]?^001mmB;^00201VO^0022n5S^0023==_Y0023BVo^0024Z>c^0025N5O^0027fbc^"
+    "0028Z]7^002:1VS^002:bI3^002;Qa_^002<Rno^002=ja;^002>ZRc^002>]YS^002ARA[^"
+    "002CAbO^002CFVo^002EN:C^002FiiW^002G:M?^002GmJ7^002J5^S^002Jf:c^002K5J3P"
+    "002M=MS^002MBK3^002NZ:_^002ON5S^002Qf^[^002RZi7^002T1ZW^002TbE7^002Tf2W^"
+    "002U2fg^002V=b7^002VS33^002WjY;^002XZRg^002X]aS^002Xo8g^002[6]K^002]AjS^"
+    "002]FJg^002^no7^002`:G3^002a:E?^002amV3^002d5bO^002dFi;^002e9a[^002g=UW^"
+    "002gFJk^002h^2W^002j:AC^002jIAoV002kfF?^002lZa;^002n1^S^002nbAG^002o2jo^"
+    "0030Ro3^0031jU7^0032ZRg^0032]e_^0032n];^0033Y23^00356YG^0037AjK^0037FFW^"
+    "00386Rk^0038nk3^003;:=C^003;mZ3^003>5fK^003>Fm3^003?9iW^003AAYO^003AFB[^"
+    "003B21S^003B>jo^003B]nO^003DIMc^003EfF?^003FZYK^003FjNc^003H1bO^003I2fo^"
+    "003JVfo^003KnI;^003LAJGW003LZR_^003M2U;^003MJMG^003MY9k^003O6YG^003QAnG^"
+    "003S2_7^003U>9C^003Um^7^003XFdk^003[A]S^003p>o3^003pERKp003^IUc^003_j>7^"
+    "003`nF_^003aUB3P003c2Zo^003dVZ[^003enEK^003f>Z_^003fARS^003g2M;^003gYAo^"
+    "003i6Q?^003j:]C^003kAnK^003m2S7^003o>1O^00002:3^03;81RGQ0;jUV5o^0?i?YQ_R"
+    "0JeUZ67^0LWGER3P0YENmV3W0fac^UK^0m6a>Yk^0oifMV;Z16YjVUO^19cNBRW^1@Y1VAo^"
+    "1E2bR2?^1VH:Ia_[1eN6NMS^21KWaVKY2=F=EV;^2=[pn63^2??oN5o^2C9:VNO^2OO7ARC^"
+    "2[Ipe^;^2pQE]QSS2i?MINGQ2l_4]b7^35mU1UgW36786Mk^37hiin3^39M<EZ;^3>gnUZ7^"
+    "3B[p]R7V3IYHNEg^3JbT=^7^3OIdIV?U3UN_FN7^3p7l1V7]3hf3]]o^3i0o^b3^4Fp3fB[^"
+    "4c><VJK^4f7`jN;^4nn>QZ;X4o8b::7^51n@Z>;^59Z1BMo^5:hd5ZG[5=j?9R3P5@N:1QgT"
+    "5JXFaRGR5L>;mmc^5M<AZZ7^5WFNMM_Q5XlCUZ7^5`@h29W^5d4V5N3P5jA[Mb3^5o3i2>?^"
+    "60b]aR3V61kiIM_Q6<JUIj7^6=PeIF3V6>Z11N3P6HE:mmk^6J>m61o^6KH8]JGQ6X6@EJ3R"
+    "6YZRe^7[6ZN4if7^6_5E5Z3T6ddH1VCZ6fHZN:3^6jojYUcX6kcL]^CX6nnTaVSS6o87bMk^"
+    "77^2EZ7^7;ppIR3P7BZH:Mk^7DL9nB3^7H7eb>C^7HJd5Q_Q7U8k]R3P7ag3IV;V7b1oJf7^"
+    "7l[HnBC^88KJieg^8R;W:1S^8^i^ab7]8gdB=ZCZ92[12Q_^99m<:2W^9Ega]RC^9F=AJV7^"
+    "9KZ_1ak^9W=9Uak[9ckA=n?^9e2j9U_Q:1a1aM_Q:5@Y5ao^:;W96:?^:>O9MR7U:@JNB9g^"
+    ":C?lb9o^:GIS1Uo^:K=A9R7S:SD8Ub;^:WkHaV7W:dYPMV7];1GX5b7^;=M9Z>3^;@BX9j;^"
+    ";O=XB5o^;[2o:mk^;nU?REk^<CJHQb?^<FKcQVGV<Ho^IZ7Y<IJe:=c^<S9k=N3P<T_`Eeg]"
+    "<_h2eQ_Q<fhZA^G^<hbLIao^<kYWRQS^<kp0^N3^<lV:QR3T=2c?ef3^=9DB9QoS=:MMaN3P"
+    "=?>A6^7^=Dl9aV?^=EdjNV[^=F2IeF7S=G;UMNGQ=Pf_Ib3^=R`QNR3^=Si]5N;S=VEWNUO^"
+    "=`WdaJ3P=b<7=^7]=boYAV;^=gViMZ?T=mElIZ;]=nj>ij3^>3QO5UoX>4E19fS^>@?V]^7^"
+    ">D>@eR3P>H:I>>;^>Lm^In3^>PlHMR3P>]ZP9Q_Q>jHWaZ7Z?H>WnF;^?T3nfb3^?Z];QQ_Q"
+    "?gKC=YkX?gV?>=c^@0EfY^;p@BN`U^K^@NIF9ag^@_^]m^3Z@d]0JJ3^@lLeYR;^A8?@fZ7^"
+    "A:BV=R3TA=b=Qf3^AD4W^QW^AG0]eQkSAKaQ>Uo^AO7UEYoYAOk7Ib3^AS^eQQ_SA[e]1jC^"
+    "A`Lm=QgWAm;4e]g^B9i<Qf7^BEn^623^BHd<V2;^BT]YBB7^C7b5>RW^C@;jn63^CA?WZ:7^"
+    "CB?@Aa_YCC1IN63^CDc;9Q_RCKkliic^CM4nR^;^CNmGmRGQCQQBeYo[C[[OUM_QC]ADa^;["
+    "C`W>jIg^CeBU1QgWChIWAN3PCoJ>]VC[D57^iM_QD6@jQN3PD;DdA^;^D=>VJ67^DAefUfW^"
+    "DBo2=QWRDLZ<5YoWDMM^=bS^DNSn=IkYDO]9eJGQDYHCa^7^DpKAQMoSDi9I9MkSDj][YZ3["
+    "E08MiVSSE1@@RR;^E5gPejC^E7KcAZ;^E<33MUgWE<fUQ^KpE@1]UR3PEDbPj^3^EG6JfYK^"
+    "EHa;9f?^EL_e=R3PEPWgbAc^EYMliR3PEf<4QU_SEkK4=ic^F2j<=^?]Fa<cR1o^Fa@iF=k^"
+    "Fc>_mUkTFolgUYk[G8gK1^?pGMbgbB7^GVjjQ]o^GYX>ZIg^G^?Nmb3]Gh@BI]gpGm:O2=S^"
+    "H1ee9j7^H662mR3PH:I<F:3^HBd:URGQHFCaiao^HORBAQ_VHWY9aZ3ZHXL[f9o^Hp@ImR;T"
+    "HdGAIf3^HhnQUU_[HjA@>R3^I5pYA]c^I=cPVYo^IBJ`in3^IIXgNYS^IQE`n=o^I];7fEg^"
+    "J6J1eb7pJ@CYZ6W^JKRmj6;^JMD_UR3RJWNlEV7SJZ2g=V7XJd=41RGRJebi9^C]Jmd9N=g^"
+    "K0k;YNGQK7kc5N;XK=YCEM_QK>bNmN3PKCfHYZ;^KE`:b2;^KFcgNIk^KJGJm^O^KKPVURKS"
+    "KU;`Q]oYKUoBUZS^KW5RYUW^KX>^AJ3PKaih=bG^KdleiN3RL1ZmUN3RL3?@1^7^L8Z2AZ3P"
+    "L>I5>1o^L?mG]V7^LDTWiR;XLEH9m^?pLHSAmQ_QLQB_Qf?^LUAIYRGQLaoQAR3PLn]XmR3R"
+    "M6dPFR3^M;K`Uj?^M?eQNUO^MJF`^Ik^MV<7VMc^McEOm^;YMi^Gn^3^Mk`DEU[TN5XmR5o^"
+    "N8NL1j3^NAHoM^7^NR^GAic]N_LNmV7^NdgA>1o^Nfa3F1o^Nfe9:N3^O0afaj3^O2[Xin7^"
+    "O:GIRAk^O>WWER3POBj`^>;^OKE_1N3PONeFEik^OX3fYQgTO`:^9^3]O`n@>J3^OdanEQgU"
+    "Olhef9o^P1P61Q[WP>>=YUk^PJlEFF3^PlclZBS^PoeP2Io^Q>kV=b7]QCG`JI_^QETXfQO^"
+    "QHe>1fC^QSBI5V7SQUfCmUWVQ`0PaV?VQbTKY]k]Qb_GZZ7^QiWV>9K^Ql^XIR3RQnDMU^?^"
+    "R9L`5R7SR@MGQjS^RF:g]NGQRGD3ENGQRLGm5V3^RRhoIi[^RT2;1RKSR]]Di^3[R_W71YW^"
+    "R_f8jJ;^R``BYMWRRjKLUb;^RmNJEJ3PS3HIBQk^S:<QmR3VS;`dM]o^SA;V]VGRSFjYZF3^"
+    "SLH7Amg^SM6<AUkYSMi^EnK^SQ4fIR3PSS^HBVW^SYdCmnK^S]bn1R3PShb@nFG^SjQ5]R3P"
+    "T7?=EQ_QTCmE25o^ThfO^R3^Tkg4EbC[U4AhaV3RU<H`6Io^U>:Qj63^UA00In7^UIjSeb?^"
+    "UOk0R>3^U[?k^:C^U[`GJ^7^U`29BRS^UmHeYb3^UoBWbZ3^V9CK=n7^V;==Emo^VG9;aN3P"
+    "VKLE9f3^VSgCINGQVWFj]mo^V`UK5NGQVhpBU^;pViOdYn3^VlIHnMk^VmCRaR3PW5JJ>63^"
+    "W:1ZIUkpW?kYFR3^WF_b5Uo^WSMi^:3^W`AXFMO^Wd`^>UO^WiI[9^;ZX5EQ2:C^X:8f>9o^"
+    "X<nD^:3^XBKbJFK^XXbRM^?ZX[cmQU_RX^GhIUcVXhR59R3PXjkLIZCWXk601eo^Y29:UQ[V"
+    "Y5@<eRGQY6f1m^;^YAnDMM_QYHl0>Yg^YHnkiZG^YNpL9NGQYOeWaNGQYTaG6Z3^YTiQMZ;^"
+    "Y[JSaU[^YpS_IM_QYf>iEak]Yh8[MMo^YhCWNYo^YiAg5J3PZ2m11Z3^Z5on]R7UZB^6IN3V"
+    "ZDBHeb3^ZEn[VF?^ZI];5ZGQZUW`]UkYZVKBab;^ZYVJaQ_QZbEhE^?^ZeJHZJ3^ZfDRMR3P"
+    "[32Z5R3P[8lY2R3^[?`aaRGR[LNiJb3^[]PD:VW^p4HXab?]p<cM9V3RpFp6F>7^pIQTen3^"
+    "pRL8Aao^pcaP5b;^]5jJ1Z?^]AdoUf7^]AlojIg^]C^a^5o^]GJMRJK^]MbFbV7^]OZ`9V3R"
+    "]SmiQVK^]pHgeR3T]_hO9j3^]aDW:Z3^]i6oMR3U^1=fm^;^^5e79R7S^=knYf7^^BS>eUo["
+    "^OAFMV7^^^GBVIK^_1k?R1[^_1mXbR3^_EOi:b3^_JmFaf7^_aD6i^;Y_dEQiQ_Q`13YUR7S"
+    "`3M0e^?Z`3WTMf;^`=aa=UkV`?GVIZ7^`BRTR1o^`Fp:b6S^`JOhiN3P`NL1>F;^`Ppn=]oY"
+    "`W>0QNGQ`XG<9N3P`]K5iig^`cl8=IgW`e5CeN3P`n`M]ag^a0Z?eR7^a1cKMM_Qa9jBn5g^"
+    "a>QS9J3Ra@iGYmk^aK?ZaUWYaLcmAb3^aNP@25k^aR>_QZGSaZEVjYo^a^9E5V;Za^lg9f7^"
+    "ab7o=R3PajgLa^7^amggBAc^anf6eQ_Qb;T>QQ_QbHBF9^7ZbjnXNN7^c<j=9b7]c>Phff3^"
+    "cEE1UR3PcJF?^M[^cR39>Ao^c`HNm^CZclC4QR?^d>KnMN7ZdJFT1^;^dL@F:67^dX<DUQ_Q"
+    "d[[ki]g[dpOMmRC^ddjL=R7SdhJ3Q^;^dmdeb:S^e1XSiN3Te84[6UO^e9_KI]o^e>F[UR;V"
+    "eFMS1^;^eGQ?^N7^eK4c=R3YeSFVVV3^eWbji^;^efhfm]g^ekT=65g^f5RM>Z[^fcoX>J7^"
+    "fie[AZ;Yflg6EQ_QfoK1=V3Vg7QhVZ7^g9U=mRGRg;nU=^?Zg<98ej;^gCG?NYS^gFCEYRGQ"
+    "gGi:a^7^gK48nIk^gO=_=QkVgS1MAN3PgViOfMS^gY>RYaopg__TmRKTg`h`UN3PgelZAZ;^"
+    "gkGLV1o^glMpUIOYgmVh=N3Ph7B29eo^h9;dAZ7^h:DoiJ3PhEAEfB3^hG37QMWRhIJl6Ao^"
+    "hSa?=QoWhUEQYeo^hYlaeR3WhZ`Ci^GShfZiQZ3^hgNKVF3^hgRQJ:3^hjYSUR3Pi3I19ao^"
+    "i7G[AQ_QiD5biRGQiPcjUQkTigHB5V3Yj87M9mo^j9[_Z63^jEKaUig^jMfUmYcVjhj3EZCX"
+    "k0RhBZ;^k4dXiV3^k5:8V2G^kD58ZIk^kFmRe^?^kOjORQg^kRh8I^7^k`]hmRGRkcL_jEo^"
+    "kd=PA^3[kmL0YQgTl0kWm^;^l6FJ=jO^l::8ERGRlB@oab?^lFh?mN3RlSVGYV3[l`DOA^7^"
+    "l`OKBA[^l`SQ:R?^ldjhf1[^m45aR9o^n2G?]^?[n5HZ]Q_Qn7lUUQoSnB6bIN3PnDZ]B:3^"
+    "nNdj1N3PnPJ_=b;^nW_CUZ3Zn[S1]N3Pna`71n7^nhA9EM_QniJDmN3PniSgnUo^o3i0n63^"
+    "o4oA1I[Yo68LYN3Po=68FQo^o?cVUeo^oA]HYb7^oBfTAZkZoOT[mNORoPXH^Ao^oQ8nI^3["
+    "oQlPN5o^oVS`YV3PopBcUN7UopM_VJ3^o]g661o^obNFAN7SocAhE^7UocEn:9O^ofM0EU_R"
+    "oo<MiZ3]00001^S^02Y6=ZCY05@]6JO^05GAJRW^05^ZJUK^06;FI^7Z083hRIW^08:inZ_^"
+    "08QUbRS^08fY:IW^0=WoFVW^0=]cIY_Y0=n[:NO^0@oLNMS^0A3AMbc^0GCl=i[^0LkQFRS^"
+    "0M7=bMW^0NVO>MS^0RBhNYO^0RHV^VW^0TkGJAW^0V`4V:O^0WaVBBO^0X>@JMW^0YgABIW^"
+    "0]UpaV3X0aTTRRS^0bo`6US^0fG`^NS^0fK^UaW^0hRIERKT0k:0>BS^0kdf2Z[^0m3bNFO^"
+    "13c?nJO^17HWeQoW17TDEMgZ19@EBJS^1=kJN9[^1?CSIZ7^1?O?mI_R1@Y1V5S^1H[7N>O^"
+    "1HkDQYoZ1KTo2MW^1O40>AW^1O9X2EW^1S3@InK^1pJ9eR7W1]:@fa;^1]iZYj_^1_JpA^GY"
+    "1ac9ENGQ1bCIbpo^1bN2V>O^1bPXj2S^1c;J>ZW^1nnBIbK[21:kRI[^26VP:aC^2;;>V5W^"
+    "2;_Y6QS^2=DXZa7^2Dk3^VW^2HUJ^YK^2O4`]eO^2PaJNUO^2SjBNVW^2V<MNUO^2VY9MZGZ"
+    "2W7lJRS^2^;VMIgU2aZ1Z];^2b1Z2MW^2c8pB:O^2k9BZZ[^2n1peaWp30HJ2UO^30jgRV[^"
+    "32MmfVW^32NJbFK^344@VRS^3:E4FMW^3AG;9Mo[3B[p^2K^3CleNMS^3FiQYe[^3J0JejK^"
+    "3J]bZ^g^3LAEjRW^3OhjJNO^3T[g2MW^3X27IYcY3XJV5ZCX3XoMVZ_^3Y_k:NS^3_aFM^G["
+    "3_m35J;T3iI7YV;V3iiH25S^3lBp2IS^3o8jjFS^406=f]?^40Dkaa_^41GYNNO^44m1I^;["
+    "46`Y2RS^47M5RYK^48beV1c^4:;b>VW^4>5a:JO^4Ba<fIK^4CRfNBO^4GSXUVO^4K:TVRS^"
+    "4N_lQYk[4RI52:7^4V6DMQg^4V8fAE_S4[mT:JS^4pD?mnO^4po5bNS^4]bK^e;^4^Ff>QO^"
+    "4`2L6BO^4`7YjQS^4a^OYJ3P4fhaA][^4hRgYUg^4jJU66O^4k:NMfKp4l<0:FO^56Z@RQO^"
+    "5:R^jk7^5@B1^QK^5@^]]N?W5B7d^QS^5FEW6:O^5M<AYec^5NOOiYWp5O3jIB3^5QgCR9[^"
+    "5SXBF>O^5TEZ2RS^5UZ;R=K^5V1k:UO^5_X5]MkW5cOlAJ3P5ckF>MS^5e_IRV[^5fUo:=S^"
+    "5gGD]aW^5o3i1j;^61OFAI[p677aVIK^67[eZJO^68:2FNO^68OjQY[[6>g0Um[^6@?9QR3X"
+    "6CgERNS^6F54>YG^6HB<:RS^6Ie_NNO^6JG;6EK^6JkUUY[X6O@bbJS^6VPn:UO^6X^OaJ7W"
+    "6Y=oZNO^6^64RNO^6aG_R6O^6b57BVW^6bKc6JO^6c>ojMG^6cXZVNW^6ccJJ9W^6eHInMW^"
+    "6fSJBES^6o=_UUcW70]N2NO^74Z5j9W^74^AVUO^76T7R=G^7;Z:ZJO^7;h2JRS^7>@>bQS^"
+    "7>pje^;X7>dYBQS^7@pNJVW^7FP?RVW^7HHBFNO^7IQ0fMO^7I]bnQO^7LDF1^;Z7U6InRS^"
+    "7W83VQS^7X]h6UO^7_KfBVW^7_YU2Z[^7`_dbQS^7bQi>NO^7bUWbQS^7f7A9Z;Z7gXBb:S^"
+    "7l0VfMS^7mU:2YC^7nmBmeS]813m]N7S816T:=k^84]6B:O^86G]UN3P87I`^BO^8?j<AV;["
+    "8@5haU[X8Aai^FW^8B2GbJ_^8BQc:6K^8CSDbFS^8Ge7ae[^8J2FjUS^8M7cj6O^8N9EVBO^"
+    "8O0:2VW^8OVVVV[^8Pnm>RS^8VG]FQO^8WUTZQO^8WkpEZGV8Y]7IIc^8[:lbUO^8]pk^FO^"
+    "8^[A2IW^8g6QBVW^8i2ej^_^8jdn:EO^8kpnZRW^8l3ZNJO^94L_ER7W964D:QO^9<@4=U[V"
+    "9>:5eU[V9B0LfUO^9CpbnEO^9DbR6BO^9EGbaUkV9EOibZ[^9Ef=6UK^9EfU^6G^9G0NFQS^"
+    "9Hn8VRW^9UpCRMK^9VbI:NO^9W1jYmS^9WVE:IG^9Yk5FRS^9]LHf]G^9^FXjV[^9^UM=nK^"
+    "9^^1jQS^9_BLJUK^9_YPbRS^9cCenMS^9j;V2a;^9kCTjfg^9n^26VW^:05dMMoX:0CCZ1_^"
+    ":0UDBRS^:1HCb:O^:3Zg6Z[^:5TF6VW^:66U>QS^:7Uf^QS^:8_4:BO^:9LKjZ_^::oo>VW^"
+    ":A=WfUO^:C3JfQS^:Ko7RYK^:LNIjAO^:OK61i[^:OoPQM_T:RQoA^KY:S?G2NO^:TbjFJ_^"
+    ":U9V:JO^:]VpI]S^:]gT>VW^:__VnRS^:`S[e]S^:e<pFBO^:hBje]g^:k5Q>2G^:ldJJJS^"
+    ";1jp1UkZ;26PRk;^;4TFRQS^;5_Z6VW^;83G^MS^;8Wb>YC^;9RR6NS^;9i=jNO^;::jMek^"
+    ";=NUab?];>oWJBO^;F@Y^^c^;JbPeN3T;K2i>V[^;KBa>QG^;Na5JBO^;Sp92NO^;WAPiZCp"
+    ";Y9>FNS^;ZjYN>;^;p]gA]W];^ZJ]NGQ;_H91F3P;d:V2=S^;dedEnO^;fD0:QS^;hY>BUO^"
+    ";jiY]VKY;mbG>9O^;oC0mVGS<14L1ZC^<2l9MnK^<3p2jB[^<4]TRFS^<62LbUO^<7O]]mW^"
+    "<848>MW^<:EB2RW^<?;dnIW^<C4CBNS^<F<fBVW^<HcV6]?^<I5l5RGS<JYI6QO^<K]Rm^KZ"
+    "<L_4^RS^<pg>JZ[^<]3X6RS^<]=j>JO^<be9NQS^<cDKbIW^<cMOJNO^<gXTm^KZ<h9Z5MoS"
+    "<ko7bBS^<ll<nQS^<n9]fNO^<n@mnZ[^<ohi9m[^=1BInRS^=3f[JUO^=5lafBS^=7QGVIO^"
+    "=8;M6IO^=>4OQMgT=?YEnAW^=?oAJ1O^=@[VbNO^=A1Nj1S^=C1UFNS^=CkO^NO^=F_2Ei[^"
+    "=GM95N3[=H`]mbC]=Mf_6A_^=O_pn6S^=RGCfRW^=Rh_RAO^=XQ:bEW^=pMdZ^g^=]D0NNO^"
+    "=iRX5RC[=iiCinO^=jV[^RS^=jmGNJO^=kV`J5W^=k`TFQK^=l:>nNS^=n`[]ec^>76kVVW^"
+    ">7>UR>_^>:X62I[^>=;ZE][^>>ViNUO^>?5[n1S^>?8=aI[W>?pOFIK^>?el5aO^>F6VmJ3R"
+    ">Fac>MO^>H:I=io^>IianQO^>KRmBUO^>Pif^RW^>VFl6NW^>p`emN3P>]nZ:RO^>_YX2IW^"
+    ">b9M>UO^>cK_RVW^>f8J2FO^>gc=J>W^>iAI>]G^>i^5=QoX>jWG2UO^>jpafNO^>k3MZRS^"
+    ">k7<:MW^>lboVQO^>nXeU^C^?0PS2NO^?3Eb>UO^?66^N]G^?7NgJ5K^?<gnfV[^?HK`YZ7X"
+    "?HWM9IcZ?IlbF2S^?JCN6:O^?ORmbYK^?PFp=mW^?S1aMN?U?UPT9^[[?YnME]_p?^RBUIoU"
+    "?`792MS^?`M@]V3R?`[=6VW^?aOAmmS^?b>[aQo]?c4gUbK^?g<eJAW^?hOTBVW^?i>Q1Z;^"
+    "?n=IZ]C^?nZYeNGS?oJnJQS^@3FRVEO^@4>S2NS^@4U>fNO^@:@;efO^@=iDN^g^@EQ2NNO^"
+    "@J=4F2_^@L>GJMK^@LbajMS^@MD6RFO^@Uf8R=K^@X2kJJO^@YXSRMS^@^dM]R;Y@_SO29W^"
+    "@`C_9YS^@aY4>FW^@g71ZB[^@gpBAVGSA1GYbRS^A34bfQO^A<<KN^_^A@ilb2W^AA@XR:S^"
+    "ACQSVJS^AI_<BUK^AJW@5nS^AKToBIW^ANN@>NS^ATonB];^AVTQRMW^AZpgeJ?XA[3SYZKW"
+    "A[`kNV_^A]DN^BS^A]NE>AC^A][:RJO^A_cH^MS^Ab5;aM_RAcSmN5O^AhA;FRW^Ai5@=aS^"
+    "Am^@^NS^An0f^NO^B0dOAm_^B31^FYK^B:L@Me[]B=O^ZBO^B@Tl6QO^BA9FZa;^BB46Nbg^"
+    "BBJbBJO^BF0:=bK^BGQ;fN[^BK`RbVW^BSdEZQO^BTUoBFW^Bpl8fUO^B_c5EbO^B`BUAbC["
+    "BaD6nJ_^BaZbbFS^Bb[gJMW^BcfXIJ3PBe?KZ5;^Bg9MB9K^Bg;o5N7UBlp:NIS^Bm0pnV[^"
+    "BnE8:VW^BnG:=Z;WC1:b^UO^C7dUER3PC9V0MRK]C:L<>2O^C;M]ifO^C<=WB>S^C<YajRS^"
+    "C@1B6=S^C@UpV9S^CF7BfR[^CG]afUO^CIcOjMS^CKUg^JO^CQE:RYC^CS:mRQS^CU@Y6VW^"
+    "CYB[:A[^CphG6JK^C^S]V6[^C_5l^QS^C`U>:MW^CeHbfR[^Cgnj:>_^Cj<oFUS^Cko3bNO^"
+    "Cl2bFQS^ClVFZNO^Co3T>VW^D0[>QJ7UD6;bEQoVD6bRF^c^D8JMR5c^D>NFBNW^DH:jJIO^"
+    "DIS3F9O^DQBBE]g^DXAAJ:[^DXWm>JS^DZj3QY[pD[JCj=S^D]S]nMW^D^^DRbc^Da2_>QO^"
+    "DbJh9i[^DbhUFRS^Dc]GVRS^E24<QZGYE2JhEbKpE3ahENKVE4B8^UO^E4[cJVW^E6KRbQS^"
+    "E?XP2RS^EC9ZNMW^EE5UF:O^EE]>]eW^EGW@FAS^EH9mn:;^EHeT=J3PEL]CNRS^EM9mREO^"
+    "EQ_W>VW^ETg3FFO^EVa^^AK^EVibVVW^EXPDfRS^EYKK:V[^EYb6jJO^E]hgEnW^E^f1FUO^"
+    "E^hPNRW^E`O5:1W^EaS[NNW^EcCNBVW^Efe>^VW^F3>FBRS^F3U22NS^F3X`VEW^F3f^YZ7^"
+    "F7:ImjO^F8[KVg7^F927JNW^FD^]JBS^FJZbJQS^FNS@bVW^FO;j1RGRFPE5]fC^FPmE66g^"
+    "FQcPf:O^FRNF]nS^FRe2R2S^FUXNnUO^FXboRAg^FZAaJVW^F^:l^:K^Fa@iEfK^FcCh:NO^"
+    "FhX]NQO^Fj0fJ9O^Fj`@=V?ZFkVKmZKYFm^RjBO^Fn`4R:O^Fo^If9W^G1`5Ib7pG4?[bNO^"
+    "G:ZVfIW^G;h6nES^GAPRBMW^GFJhjbc^GK8CNIS^GMC=1M[ZGMS71Z7WGN[EmVGRGT_kbMS^"
+    "GViEja?^G]mHQJGQG^Gpn9O^G^Y4]M_QG_c<bMO^GbjNJbc^Gf;1eiS^GgF29V?UGh53NAO^"
+    "GmW`V9[^GoXV2J[^H0EU>]?^H2ZcFMC^H65Y:VW^H:hBIIk[H;cFmI_RH@lhAm[^HIb<n2O^"
+    "HR@`ZYK^HR]LYV3VHT6SZMO^HZG>RVW^H[_5NUO^H_^e9YSpH`N>f=O^Hc>LANCWHcf2N5W^"
+    "Hef3:RW^Hl>GnBO^HogYNNO^I0b_b^_^I1acmbG^I4?H:2[^I6?e:NK^I:[n9nW^IBmdeeO]"
+    "IE;;fJS^II6PRMS^IJNYNAO^IJUZjg3^IJlF^RS^IMbDiaW^INQ^V6O^IP2`>V_^IP<<jIW^"
+    "IPIL2NO^IR=hM^C^IS^j:VW^IT6JYFGQIUf4NVW^IpEj2IO^I];7eiW^IanEFES^Icgj2MW^"
+    "IdHV2RO^Id_AfNO^IfS>YR?UIhDY]bO^Ih[EQjO^IiD9:>O^Iie[FF[^Ij<G:>W^Ik=KbUO^"
+    "IkK:NRW^IkfJJBS^Ima05Q[^Io991Q_QIo]SQR7UJ5=^f=_^J5JPnMW^J9pG6YG^J>K;UN7T"
+    "J>eP2]7^J?2_=nO^JB7Te^O^JBm`YfO^JFXdia[]JHRfRIS^JI7A2AO^JS8VJUO^JYf^jYG^"
+    "J[F5MJ7YJ]b=RZ[^J_SXNFS^JeF?V5c^Jh4=9aO[JmG_NVW^JmjG>VW^K2^S^QS^K4TF^MW^"
+    "K7U8ZVW^K7kdNRS^K9<biQ_TK><7jYC^K>]FaMkTK@<X=B3PKFojZJO^KR4W^9O^KWb;9acp"
+    "K[7haRGRK]7R5fW^K^Lg6V[^K_=bnJS^K`beb>S^Ka9QV>S^KckhFEO^Kg?hj^_^KiTCVMO^"
+    "KjlLR5W^KlmV]QWYKn@7nQO^L2[[UR7VL4kQ6VW^L6_7AJ3PL9KfBRS^L:U`iRCpL<c]:QO^"
+    "L==Gb^_^L=H7ZEO^L=T3VJO^LCUpVBO^LH:4JVW^LK[>fMW^LLXD6QK^LLg225[^LN>c:1O^"
+    "LOVl5Q_QLP8dbAO^LUDkiiW^LU[QnAW^LZlgVVW^L^hn]IoUL_Bn9Q_TL_CC6IK^LaloRJS^"
+    "LbC[FRS^LbSY>UO^Lbl3]N;^LeUMMJ3PLgJ4jV[^Li0YVA_^LnSFbhg^LoaZRQS^LofdVFW^"
+    "M2XJaYSpM:DR2]?^M;?>^MW^M;_jZRS^M;chQNGVM<HC1Yg[M@;NFBO^MA=02FS^MAS[fJ[^"
+    "MG9gBQO^MH5D>MW^MITUZIW^MJXZmMoUMQ^KjJO^MS<FfQS^MU29bMW^MW4e:fk^MW]NIVGQ"
+    "MYNiM^W^MYeUAZK^MYnIN6g^MZE5B6S^MZok:6S^M[FVijK^M`V6VY?^M`ZKAQOZMgdIRJO^"
+    "Mi^Gmn;^MkV0]BG^N1:AfYG^N2<AbAK^N2RJbAK^N3AdUVGZN4bfAFC^N7AXmnO^N8?n=a[^"
+    "N8B]^Z[^N:AYeag^NCiJmi[^NDI[JIS^NJ26ZMW^NKJ?V1[^NKUoAb;^NN1LQM_QNNlMBZ_^"
+    "NOC96NO^NQ=Q:MS^NQB_6VW^NRpbVEW^NSYgfIO^NU20a][YNV4[IM_SNWF1eN3PN[m:fNO^"
+    "Npa?aVCYN]AP>IW^N]NBFUO^N]ej^UO^NbKgiM_QNfiAF=O^Nh_HJNS^Nm_OR>O^NnpV>9S^"
+    "O1iO^AS^O5`5nNO^O5d;bNW^O69E2IO^O8::NJS^O8Pf>JO^O:GIQf?^O>W=RVW^O?a6:MK^"
+    "OA]DRIW^OBCa:MW^OCIfaZ7^OCWF:VS^OEWLV5K^OINLZ=W^OL7>jVW^OQm5V6O^ORCaEnO^"
+    "OZm1>FO^O[?15RGQOp?0j9[^OpX86QS^OgN7FNS^Ok`0YRGTOmF42MW^On]fEV3WP9DD:RW^"
+    "P?7^2QS^P@__ZFO^PGHi6MW^PS0=fIO^PS7?Bfo^PSMk6NO^PWRbnJO^PXTDZRW^PX]aBES^"
+    "PXk0NRS^PZ^GJBK^PZ_Lib;^P^ConBS^P`Q2jVW^Pcm7:MS^PdWVNVW^PgK`6UO^PjOi^IW^"
+    "Po4c5RGRQ0f>9jO^Q1<imfO^Q1E^6>[^Q1[D>IS^Q1pIj:O^Q2G?bBW^Q2]kUjO^Q3_0>UK^"
+    "Q6?=YN3WQ6BTMM[^Q7Z]IUoSQ8<V6AO^Q<J4YnO^Q=l5JYG^Q>KG^IW^QHg^9NGQQJY9AR;Y"
+    "QKOE1ZK]QNXmVFS^QO:IB9S^QOZ2FVW^QQ4JjEW^QVW86=W^QY=>9ZCVQ^Ap2FW^Q`>iBAS^"
+    "QbHCFQK^QbaTBMW^QcgYiZCpQh5<jFS^Qil?^5W^Qla^NUO^QmL05V7UR2>Ib=O^R:D[=R3P"
+    "R@6]2VW^RAOS2J[^RF]pFi;^RGe[:Z[^RM7JVJO^RXg0nVW^RY>3>MS^RZV<:9O^RZa;M^Cp"
+    "RblL2e?^Re0Z^VW^RfjE^RS^RiDJ>BS^Ri[62>O^S3N0nAO^S:`SnMS^S;=?m^;^SEEARUK^"
+    "SF5WnFK^SFjYYf;^SJmpfIW^ST<cBMW^STUMnQS^SU9hNYO^SVKD:JK^SV`GR5S^SZXMRNO^"
+    "S^IhNQO^Sbb`2VW^SgdgRUK^SjNSnbg^Sje?^NO^SkMX9Yk^SokYBZ[^T1@:am[^T1R=n=o^"
+    "TDAO6VW^TDELmZ?^TDX:fJS^TD[iJQS^TDigMV3YTFL7]V;TTHT>V6O^TH]2bJW^TI^TJJ[^"
+    "TJ5@>FS^TJQjFMW^TKMPMJ3PT]S^>QS^T^D4YF3PTb0MiVO^TbG9]bK^TbOmiZW^TbfYYjO^"
+    "TcQOR:S^Tch;EfG^U;3o>A[^U;>nQZ;YU<:36UG^U=DJYN?^U>JojZ_^U?c=FN_^U@aRZ5O^"
+    "UJ[d6NO^UO4YjMS^USkd29S^UW?ON=S^UWN1^V[^U[>G2QS^U[[31UoWU^V?eU_RU_^NaM_R"
+    "U`5QAUW[Ueof^MS^UfO96QS^UjHeFIS^V28f^UO^V3EgBV_^V4CgFUO^V7>:ZEO^V8VCU]WY"
+    "V;2ZAN3PV=0K9fO]V>g[RMS^V>hO>UO^V@Ei>:S^V@[^f^c^VA2JZFO^VEB@6QO^VG4A:RS^"
+    "VHBZVUK^VKBam^3XVKkK=]_^VN911F3PVR016A[^VS`[bFc^VY]`U][YVp>UZES^VdpOM]k^"
+    "Vdc@1R3ZVjSS1J3PVjo]JIW^VkAJ61c^VmKm2Z[^W14[ZMS^W2Sm:MS^W4AU5R7WW>ag]JGQ"
+    "W?i7ZBS^WB<TJNO^WGUSjRS^WPca2RS^WSMi]Z3^WU[FBZ_^W[QbBES^W[Xc^fo^W[paUZC]"
+    "W[oORVW^W`4GJN[^Wa5i2NS^WaLTfRW^WbdEBIS^WfTpZ=O^WlgW>EC^X2ZK]Y[VX4IW65W^"
+    "X7VGMRGRX9GbQnW^X9^NEbGpX9gBR>S^X:=nF2O^X:hd:FS^X;?On6S^X;p:6QS^X<@TVQK^"
+    "X<Y?FMW^X=cJjFC^X>`b5MoVX>d8ii[^X@<AeQ_QX@SDEF3PX@^:R=S^X@`pEFGRXEXX=I_Q"
+    "XE`WAR;YXFMYbYG^XFll:QS^XJ_OjUK^XPp8ZRS^XSQG^EG^XSZ=YVO^XUbDRNS^XVbB6:S^"
+    "XW:QnNO^XW[m^MS^XZ:IfAO^XpZ9>JO^X]N>=eO^X_8pNAW^Xb38^NO^XbXLfUO^Xf_:Un[^"
+    "Xh`MZMO^XlI>AV7^Y26;jQS^Y5mTMM_SY97EmeOpY:VWIbS^Y>LABUO^Y>mP2NO^YADoJVW^"
+    "YCY7jBW^YD>HUQ_RYEA35N7SYGaFVQS^YNFDNVW^YW]=f>W^Y_?ZeUg]YePEYF3PYfLHRJ[^"
+    "Z1enVJO^Z2<ZJ:O^Z4o1:EK^Z699FZ_^Z7H<:Zc^Z:WLJ=c^Z:ejBFO^Z;UjbIW^Z;oUFA[^"
+    "ZBG22MS^ZCB8FMS^ZC^dIb;pZGb@5R7SZN@PVV[^ZNW<JZ_^ZUHejI[^ZZX3Z5_^Zp9m:QS^"
+    "Z]72JQO^Z][LjYG^Z^V<bZ[^Z^lhVNO^Z_Akn5S^Z`Z4iY[VZa17IF3PZc:1nNS^Zd3B6R[^"
+    "ZfkLfQS^ZgJ_>QO^Zh3K^JS^[0FKjUO^[3Fd:RS^[3o<QR7Y[89`bAS^[8M=^R[^[:3bJB3^"
+    "[=f=>^c^[><i2FS^[AaQn5G^[KNhIiK][Lg1EZ3^[Nmp5V?V[P_7>6[^[QUBnFK^[RVdZFS^"
+    "[RkW>9W^[S3N^QS^[Z>R^NO^[pSHJIO^[bbT1MOT[f5BV]?^[jh^5VKY[k1RARK^[kH>5fK^"
+    "p1b_JVW^p41MfNO^p5daJE[^pCUSVUK^pFlTBZ[^pIC72=W^pJFZn1O^pMdI62O^pRdTf>7^"
+    "pSANF>O^pULd>MO^pp6F1N3Rp`@S^RS^p`FAjNO^pc_kN]?^pd<WMV7[pmp`:MW^pni3RMO^"
+    "po0]NMO^po36JUO^po<PEfG^]3m4BEW^]4cGZB_^];8NbMS^]<gZEJ3P]=<:bQS^]=TeNQS^"
+    "]?__2IW^]GI?nQS^]GhRBI[^]I=CB^c^]ISo2BO^]Pd>nQS^]R=>nBS^]TLoUYc^]XWSf=W^"
+    "]Y^F^QS^]kl[MeW^]mDdIZ?^]mi>iYgX^5mQJbc^^6dm:QS^^;JVbZ[^^<c9MRGV^>6^JQS^"
+    "^J^8bNO^^P78FNO^^PDZb1K^^SkSVQS^^U=Qk3?^^UT=ZNS^^UXF>JO^^d:H6bg^^dQ3jRW^"
+    "^iWMNNS^^i`j6=S^^in9BRW^^kEi^MS^^oG8b6O^^om9ma[[_12:2QS^_3_AJJO^_5jWBQS^"
+    "_7OmRFS^_<k;NEW^_=boYnO^_@A6ZRS^_B@2aVG[_BHfjFS^_B_R]nO^_CJHVFS^_Ca4JBS^"
+    "_D=^RUO^_E;lbVW^_FRlZ=O^_FkKFRW^_GE]Ai[^_KHbRNO^_N8`RUO^_No>>QO^_ONPRYG^"
+    "_Pab2NO^_Y=]6RS^_[pB5VKW_pRMeZCV__p6JJS^_`=R6IO^_blo:bc^_gg32MS^_hFEFMW^"
+    "_i8NVB[^_jXbnFS^`3KL:UK^`4jb]a[^`98E^FO^`:<9bMW^`?LTZZ[^`E44fMW^`FSdmnK^"
+    "`Ga<:Z_^`L:pFZ_^`LJNUi_^`Lg[NQO^`MbWQb?p`WJHYNKT`WjY5Ecp`Z43:MW^`]=7RFS^"
+    "`_?fnMS^``F`5fO^``kC^JO^`a?GJRS^`gI[JVW^a0bMimS^a5L3^QS^a:GS2FO^aC]KFQK^"
+    "aJ>]>MO^aKcpbMS^aW8`bbg^a[Yc=eW^a]HnV=S^a^Z`aE_Qad[QVUO^aeIO>IW^ag0_^AS^"
+    "ag7a:fg^agNLnRS^alTfR^_^an_naVGpaoM1BUK^aolCZIS^b8h0FQO^b9K7^NW^b:OU2MW^"
+    "b;HhRRW^b;hHRNO^b<P`mQgWb??YJVW^bAEMjVW^bFGaZJ[^bFMUZ5K^bF^MNFW^bJC6EU[^"
+    "bQ_e:9S^bT0LemK^bUDWjNS^bUHUaYg^bZ6gJFO^bZa]>NS^b[8I2BS^bp1_9V7Vb^B_nVW^"
+    "b`L=IQSVbfQ;QU_Rbh96ZNO^bhZlAN3Pbn@JUR?Zc3FK^IO^c3ibMbK]c4kD9VGZc7h;]M_Q"
+    "c9LfBNS^c:DCbVW^c;IFIN3Pc=G7AeO^c@pUEZK^cB07VFS^cGAi^IO^cL782aG^cNGSMN?^"
+    "cQ@@n9K^cQd[NAK^c]k9V>O^c_8PfNS^chgfFRS^ciXRYN3PclAOfe3^cnPDB]G^d0S0mF3P"
+    "d0c>9N3Pd7RAjUO^d?8SeF3PdE9DZMS^dE]_:MS^dF4cVNO^dHACNEW^dNGGF:W^dNMbZRS^"
+    "dPJ6^QO^dQ^gZ^g^dZoAF9_^dp3M]RGUdpnT1UcZd_g^^JS^dcM;:5G^dj`iJ1S^dkk4n>;^"
+    "e4N?j1S^e5fHeZ7]e82IBjk^e=@?FVW^e>eaVNO^e?N:1J;We@j0MNGQeBZ<jMW^eER_fE_^"
+    "eFWl>5_^eGlDbJO^eLHjfNS^eO4Z65S^eQ2dbNS^eS?]>NO^eX<SZUO^eXEneJGQeXFp2VW^"
+    "eXf?=eS^e]_6BV_^e]djEE_Re^5b6RW^e_`cFQS^ebo8nQO^ecihUEoVem2XFVW^f1^41iW^"
+    "f2O]ZNS^f4>PV=C^f6G[UVCYf6POb:g^f8GUeMkVf<gIbQS^f=pc]AoVf?PKFRS^f@UUbMW^"
+    "fE3;YY_UfKA7:J_^fKklnJW^fLBXb>S^fL_Bj]G^fM;niZ3[fO4Q6IG^fQDlQRGYfQaCFMO^"
+    "fSjFjJO^fX04nQO^fX3imbOpfYGLBFO^fYn0>QS^f]0@fUO^f^DT]m[^f_>c:VW^f_VFmN3Y"
+    "fd7fBQS^feMG:MW^feW7^MS^feg1aF3PffT<nIS^fgTWiJ3PfglEjAW^fh_6R=W^fiOV6FO^"
+    "fkNSV^_^g0gibMW^g3:GJ6O^g4kbMbO]g74VZQS^g=LG5aW^g>V<^UO^gDjVZQO^gG2P1J3P"
+    "gJAUfNO^gNKUnI_^gNTliR3PgP0XfRW^gTp@^RW^gTl2n9S^gVD;i^?^gViOef7^gZY0VUO^"
+    "g_km5VKZg`L=MI_[g`eK:>S^gaGcQJ3PgcP^6RS^gd4i2QO^gf:@V=W^goPQJVW^h8a7:1g^"
+    "h9D2B=K^hBiMnVW^hQ1nNVW^hR;g5m[^hR`AVMS^hTEA:UG^hXeHiR3Ph[kpBVW^h_4WVAO^"
+    "h_ZE>fk^hc9@9J3Phi>>BQS^hm=5nUK^hmaPNMW^hoRD:IO^hoYEV^c^i0E4bMS^i2AX=R3P"
+    "i56JjVW^i8Mh2e7^i96TRFO^i;A==F7Wi@l>jQ?^iCjLibO^iDIlnNO^iIg2FNO^iQEpfMW^"
+    "iQN`JJK^iRdZaY_^iS9^EM_RiU48EEkXiXl:mjW^iZN;ZQO^ipR1>=G^i]j:9][^i`0diN7W"
+    "ibXKb>S^icYmN>O^ieH`FEG^ikA[RNO^ikpOV=S^ing3MB;Wio2_m][Xj0`SZ^_^j2P;n>O^"
+    "j4nhFVW^j5If21W^j5_DMN3Pj6anm^GYj:cbBJS^j<@8>9W^j=6<b6O^j=@961W^j@fj^RS^"
+    "jJQp2>O^jLC76>[^jTXpJa?^jWo]6V[^jYaeF9K^jZYefRS^j^IdYJ3Pj_BhjVW^j`5eRJS^"
+    "jcC5N6O^je<gfIS^jiU<RJK^jm6m1Q_RjnPmFUO^k4c4Ba7^k8<_aJ3Pk:<f:AS^k@3fBUO^"
+    "kE0=66G^kJUDj>O^kKLcjBW^kMZi6YK^kN?CVIS^kNVGnJO^kP07>AO^kW_F=R?ZkXk[6QS^"
+    "kZ@L6fk^kZW7f>O^keP8IY_pkhIC6RO^knlUAJ3Pl:kn^QS^l<odB=S^l>Gm=]_^lANfN>O^"
+    "lB<>>bg^lG0Z>^c^lGo^IYgplK20^VW^lOPS1Y[XlRXQeJ3XlW?b1R3XlYTI>RS^l[AaUZCY"
+    "l[aAVNS^laD]bNS^laGcUiS^li[laZGWlkWgYag^llKLmQ_TlmQV^UO^m45aRAK^m54p]nW^"
+    "m5=Pj^g^m7H9UN3Wm:5dNQS^m:?XJAK^m:RejMW^m;1B6BO^m<S[FEk^m?249VS^mBY0>RS^"
+    "mE1U:BW^mF>H5QoYmH7hBR[^mI7::I[^mIgPZFC^mMOO25O^mMT`5aO^mSKo^RW^mSb[QnO^"
+    "mShYfMW^mT5hnRW^mTd=>6O^mU9^bIO^mU@gFUK^mWV5NE[^mWk91J3PmYfPiRGWmpKkFJO^"
+    "m]@0ARGWm_5dQNORm`1C=EgYm`QYFQO^mai0ZFS^mcZK^>S^mn8p:QS^n0_?>JS^n1Cbf:O^"
+    "n21:NJW^n9IN:MW^n<T<NMW^n=MFeZO^n=d2ZBO^n?cCeJ3PnEmkQ]W^nKd5VRW^nL:aJJO^"
+    "nS`@jIO^nW6QAJ3Yn]=e:V[^n]MWJ=W^n^e`E]c^n_1LiF3PnalYRFO^nhMQMR7Snl2BNRS^"
+    "nnV=:MO^o?`WbVW^oAEFAJ3PoAeV^EO^oF=e>VW^oKJ[fJS^oV8]6QC^oX03n>K^oYSRjZ[^"
+    "oZ]KR=S^o`biQF3PoiofQMk[oj[2nRS^okk9RVW^olpl1Y[Xon2S9][]00001n3^00XT>RS^"
+    "03nmfBO^04X=jRS^05pWQQk^06MIbAS^0:F7^1O^0EG7Z1O^0FJ;AIkT0F[l5N3P0K;5^UO^"
+    "0Ke2^2S^0L5=:EO^0OBH^NO^0Uo<2NO^0[47JNO^0p2_BJO^0pRVN6S^0pm2BQG^0^=lEV?]"
+    "0cjhVRW^0i0;5m[^0ikiVRS^0mnaee[^13Ck1bO^15gRRNW^16IAVQO^16iXYn?^19^TNIO^"
+    "1=iTVFS^1@3V9NOT1CdC:VW^1Eg>:9S^1F_A5MoS1I87UnO^1QQOei[^1TFZUJCY1VP6U][^"
+    "1YehjRS^1b]`nQS^1cVD9e_^1ck[BRS^1f@l9mS^1iTd:IW^1lWjJZ[^1mFHmJ3P1nHRn1W^"
+    "1nn0fMS^261aZEO^2:2dYmW^2;p8QU_^2=i0n5W^2M3oJJO^2O2PNVW^2OGkj2S^2Vig^5W^"
+    "2bT9ImW^2c9e6NO^2mFH:5S^2nCknQS^30:WZ>S^32DnjES^32l]>RS^36C6jNW^39YPRFO^"
+    "3?K<N5W^3@Od6RW^3AQYenO^3CT9NVW^3G4K>AS^3IH=fQS^3K5N9eW^3N]l^5W^3PmA^NS^"
+    "3QVQbRS^3S81^MW^3T0eeNGQ3TlkJRS^3UI_bIW^3ZfCZ=K^3[0NZNO^3[PEf6S^3p;d^>S^"
+    "3_RENMS^3_jKFMO^3ael2QS^3fV6BQK^3glQ>1[^3hilJJW^3n^5:RS^3om]>BS^45pmFNS^"
+    "48]06RS^49FZZIS^4>I1^AW^4BF;^NS^4CGXN1S^4G2cF1S^4H3Z>QS^4H5fmnO^4K3LUN3P"
+    "4M@NnRS^4PMen9S^4S8MnMS^4SDImJ;V4[Paj^o^4biJZRS^4fjFNIS^4i?6MV7S4iLe66S^"
+    "50TnnQS^51kIjEW^54[H5fK^58UDB2K^58o:^5W^5;Yb^AS^5>16RMG^5H`0BMO^5KJXBMS^"
+    "5OK[>IO^5Q`K=JGQ5R@ej5W^5VbFmic^5X_fNV_^5Y6C^QS^5aPOR1[^5mHpjFO^61AE2=O^"
+    "61]iMN3P62<5bRW^65@fBNO^67jNFQS^67lonEO^68W?jNS^6:A_mMoS6AWXRUO^6G]eRMS^"
+    "6SAJbJS^6SjZbNO^6Yn>2NO^6ZN5>2O^6^Omb:S^6afGInO^6bc4]N3R6hpQRVW^6j8mBQS^"
+    "6kgEN6S^6nf@RVW^70?:BQS^72Yf^VW^79:8VNS^7<PRBBO^7=9bBRS^7=EGfQS^7=O;^NO^"
+    "7@P;jFS^7ECTbNO^7F>enQS^7FS_:RW^7G3VF2K^7GN6ZVW^7HXRZRS^7ImnRE_^7KDIMR?W"
+    "7RB9EF3T7RZB2UO^7SZI2UO^7XHFEJ3P7]<1NNS^7a`imag[7ag:2NO^7eNV^UG^7f_P]UkX"
+    "7hJTN6S^81eTb1O^82gUVRS^83e^ARCX84UH:UO^87f<F2K^8:4MfRS^8;;VbA_^8;eOI^C^"
+    "8<2b^UO^8<mLV=O^8B@8fQG^8JB>]e_^8O@eM^CX8RnJjBS^8TS=RMW^8U4MQmW^8UP]JRW^"
+    "8U^]5iO^8pG31RCY8^FIi^K[8_1[1aW[8`>XUJ7Y8aO_MfW^8cnpFMS^8feMJ:S^8jaMVIO^"
+    "8nOmUVO^8nbPR63^92cSMe[^930Z62K^94J;>QS^959NbRS^9:@onBW^9>9o6IW^9?2c=NGQ"
+    "9?pb9mk^9D=pi]S^9DhGaR;W9NIf:RS^9SR;6UO^9UUSbVW^9XN2Z>3^9XkmJNO^9[DhAa[^"
+    "9`^j^RS^9`d6b>S^9`gD]iS^9d:PJ6S^9f7725[^9k5]b=S^9mIpQNWT:2C3jQS^:30DNVW^"
+    ":5HN25O^:65ImN3P:6ePJYG^::bbb6K^:;NAZVW^:>d[B>O^:?RU6MS^:?X`JRS^:BAGBRS^"
+    ":Cf=1]g[:IH<JIW^:L@B>RS^:NXKb5[^:OUoV5S^:Q?h]J7V:SW2QmS^:TjPnk3^:XC4FEW^"
+    ":_Fe:EO^:`ca6NW^:`diNRS^:cGh6AO^:fhL^NO^:gHCj6S^:hKobUK^;79`V5W^;:=I>IO^"
+    ";<8GE][];>9XNFW^;@WKNQS^;@dI6EW^;Ah?6MS^;H_B2JS^;I>TemW^;Ki<f5S^;Sme1nK^"
+    ";XhNZ=S^;[Z2JMO^;p_feN3P;_<H1N3p;_[5F9S^<02YBMW^<4JQUmW^<8kG>5O^<>Y8Am_^"
+    "<D;G:=O^<H<J61S^<JJB>2S^<Si=ZEW^<WRUFUO^<WipfNO^<Wm?ZMS^<Yh=jRW^<[0hBQS^"
+    "<`mZQRCV<aAJfR[^<c8?fBO^<ibMYIkY=0;Y>6k^=0]^f1W^==bJZNW^=@NTJIO^=A8dFJS^"
+    "=AHMf=S^=AliJVW^=CJC]N3P=DO=nFO^=E:V:I[^=INoER3T=JWYfEO^=L>FnUK^=LGGAnO^"
+    "=MTajMS^=Z9^A^C]=[1HbRS^=[bo:NO^=pL?>NO^=_bXfNO^=`?M>ES^=bip:A[^=cUffQO^"
+    "=e6K>RS^=ef<6RS^=fF3B6S^=g1R::S^=hoi:9S^=iF62FS^=oTgZRS^>1TVAZ?[>20D5R;V"
+    ">5g@VES^>666ZIO^>8`^ZMS^><N@N5O^>@RZbVW^>A[]2NW^>G]1JFO^>KO3jIS^>LRW:QS^"
+    ">Me9:FS^>Mm;J6S^>R^kZUO^>RkTInK^>ZQXeV7Z>^:7IJ7W>_L8VQS^>`FABVW^>a6gBIS^"
+    ">j4`UM_Q>m_86NO^>n0;6US^?4BRR2S^?53kjQO^?>T8NUO^??Q5QfG^?AYSUEk^?C2mUV3p"
+    "?GLJJQO^?Ja]BIO^?K`h6NS^?`L1^VW^?a7GEN3P?d>cjRW^?gS?Ii[^?kTBEUg]@3C22UG^"
+    "@432RQS^@4h0^NO^@7D4n:3^@=[3>RS^@@6S^RS^@B69eV?U@BHLRUO^@CLmFNW^@DA2NVW^"
+    "@L_AF5S^@N[PEnO^@OfIFMW^@T5W5V3^@V<IJRW^@Z`^VRS^@^78>JO^@^`H>RS^@^geii_^"
+    "@_cTFRS^@cfLYi[^@dckNNO^@eCbZ6S^@iE[>:S^A1gDjVg^A4<mjRS^A<VkiR?VA>En>RS^"
+    "A?G4bUO^A?KPfJ_^A@IGnQS^ACof2VW^AGI:Ym[^AGad=N3PAGoO^RW^ALGaI]_^AQ3c>9S^"
+    "AQILVNO^AQiCajK^AX7T1iK^A[eInJg^Ap8Vn1[^A]7faF7SAaA<:5[^Ad@=b9W^Ah1^jNO^"
+    "AlpgNNS^Am>mQZG^AojOIiW^B0mT:IS^B3@Aj6S^B4i69YoVB9m5>NS^B:2LZ>C^B<4[nMO^"
+    "B>NdinK^B?K:RNO^BAoC]e[^BDj;BVW^BF[<fRc^BJIcNIS^BLaRR1W^BN=K5N3PBQ`SNRS^"
+    "BRc]9jK^BTJaB9O^BXKd>1W^BY1OjRS^Bc>2n1W^Bd;VbQO^Bk4F1N7pBnLA5J3PBndIbQO^"
+    "C5BgB5W^C<l61iS^C=fGRFO^C@m8miW^CF1@Vi7^COpZI]gYCP8HVRS^CP]nN=O^CUJ0BQS^"
+    "CpMa6UK^C]d<29S^C`0kfBS^C`KA>RW^Cc_5J23^CcaZfNO^CiNM]acZCiboBVW^CkTX:RW^"
+    "CkYd>>W^Co0=f2O^D6Q1B1W^D7TTRIW^D9?CB5O^D=8aFQS^D=kE2QS^DA_YjJ[^DC89bRS^"
+    "DC?>VR[^DD1R29[^DFCo6VW^DFEPb9S^DGmFfUO^DI08bIS^DJ=5BUO^DJCX^RS^DJN5nQS^"
+    "DL8dZ5W^DU6]mRGTDp5V9EkTDpb1BEW^D]RXRUO^D`=RBMK^Da`X1m[^DfLYbQS^DkZVjNO^"
+    "DnfeR5S^E1QMRIO^E1^::NS^E2>1F6S^E3S0RV[^E6beNVW^E<jNBFO^E>W[6QO^EECF2MO^"
+    "EGX61JGQEK@AfAW^EL9D]R3PENmnRQS^EQ`3=nS^ESToNBS^EWH:F5W^E^cRMjK^EblgeaW^"
+    "Ede16=S^Eg8ofMO^Ej25MN;[EmdZbEO^F09JaN3VF3m]R5O^F7OCFQS^F;^8FJO^F=UPFIW^"
+    "FCadfQS^FELXN2O^FTOHb6c^FVI`B>O^FXZ_QNKVF`0X6UO^Fb_JBNO^Ff6e6QO^Fl`HBNS^"
+    "FmmmB>S^Fo7@1agpG2caUN3PG3=2ZQS^G3FfRRS^G4d@fRW^G6@I6NO^G;dVJUK^G=EaNRS^"
+    "G?eYFMS^GA<4AMoUGBm3eF3PGF<WVRS^GHQlfUO^GHX86RW^GKnQ^FS^GODkJJO^GQi@FRS^"
+    "GSOJbRS^GU@e^EO^GWXTaec]G[^GJQS^GpW;Q]cYG^]mbR[^GaQ[BQS^GfXpVNO^GgAlZRS^"
+    "Gi]I5R;XGjM2nUO^GjXFBRS^Gol8ZVW^H0[iRNO^H13AVMW^H1;`^6S^H1g?V6S^H7PV^5O^"
+    "H<JC]V?YH@9iQec^HE8PAZ3[HFf]N5W^HGhY>MO^HGm5BBW^HHoQ^6S^HJl8F1W^HR>]eN3W"
+    "HRR^fJS^HT>4]Z?YHVhp26S^HYN>MJ3PHp]8=nO^H]aAenK^H`Y8IU[^HdZ;F9W^Hh[>Ae_^"
+    "HhodeJ;THn]XJQS^Hof2fQS^I0ImnYK^I3MM61W^I5`QmV;^I5d4BNS^I8TeRRS^I9O8VMS^"
+    "I:`2UNGVI;:EnRS^I?8?n6S^I@LnjNS^IJFbmfG^ILo6JVG^IO<aBR[^IQ<S5a[^IVVURRW^"
+    "I[naf1W^I]YnNVW^IcAGEJ3PIdXSNEC^J5P3FQS^J9]ge]_]J;3On9O^J>:JJMW^J?]^:NO^"
+    "J@8[EM_QJBeV>Ec^JDP6V1W^JE@]jUO^JFGkn2O^JIN]EiW^JJlA:V[^JKP7:EW^JLRJn2O^"
+    "JMUi>QS^JN:_:M[^JNBZbJS^JO6_jJW^JS9EjAW^JU>OnMG^JV;4NNg^JX>>a]_pJY?RjIS^"
+    "JY@MZVW^J[VfZ9S^J`ZFfVW^JadbfRS^Jb8:VUO^Jb?<UQ_RJeVKnRS^JhleZNO^JiV5ZRS^"
+    "Jl@Yb:;^Jm1KJ5W^JoYXjNO^K09P66S^K2025aW^K4;HZ6O^K4H79eo^K6p3jEW^K;SQQN3P"
+    "K?2[FR[^K?6?Z1W^K@^@ZMW^KA`gZ9O^KJA>BV_^KNeSNNS^KQQ]>9k^KRe=:RW^KTeU>QO^"
+    "KUR`:5S^K[j@bQS^Kp:P>IW^Kp_1=nK^KcVQN9W^KejD6MW^Kfc8=a[[KgWTIaW]KgmT=F3T"
+    "L2gLFJS^L5A7FMS^L7RTjRS^L84Zn2K^L:31nEO^L>44j9W^L>5oF6O^LJhj^IS^LSaf>AO^"
+    "LVeEER3VLp6SfRS^L]e^mN3PL`P^6IS^LfUIZ1S^Lj>XJQS^M18QJMW^M5j3MMoZM68QJQS^"
+    "M6F?>QO^M<XH:IO^M?3CjQO^M?FZ9R7VMCLL^IS^MM@J:JK^MPi3VRS^MQJhjVW^MV]8VUO^"
+    "MXOS>QO^MYIDZBS^MYMQZQO^MZS<bEC^MZn62VW^Mpi<n>O^M^gSnAO^M_=`f>O^MeLRNRS^"
+    "MggniV7XMgjU2NS^Mk@nZNS^MkmaNMO^MnWHBNO^MnXINMS^MoKMJNO^N2XlJVW^N3DMA^3^"
+    "N5Al^RS^N6OQZ6S^N9ekAnO^N=9_MF3WN?5OZ6S^NBJAnMW^NDF:fQK^NDQAf5_^NEB^NUO^"
+    "NHG=bUG^NMSQb6S^NN:4V=S^NN^<2RS^NPICYV3ZNQ9pRRW^NQFgMJ7YNTO6BES^NU9F:RS^"
+    "NWf`66K^N[p`UjK^Np0o>NW^NpH?R6S^N]BRF6?^N]bJ:EW^Nf<CFRS^NfkCUIoVNg?R>NS^"
+    "NjkV^UO^O63bb9o^O6PDFNS^O8jXIV3pO<SgVNO^O=3^b6S^OAXRjVW^OSLkNMW^OVCpRRW^"
+    "O`R0^QS^OaKm9Uk^Oi:peYW^OiY?ijK^Ok:X]NGSP0C:AF3PP4gbeIoZP6;IMIcTP>B6EZK^"
+    "PB0pnIS^PImAiR3^PLf`>RS^PW^EZR_^Pa?M^RK^Pf^9NMO^Pj>^2NO^PmU7^NS^Q2NV]NCX"
+    "Q4=Y2RS^Q8cZ^:S^Q=@eMi_^Q=kdFQS^QB?L=]_^QG<MVQS^QGCSjEW^QPlANMW^QQe5UQ_S"
+    "QSMeRRS^QZ7hR5[^Q^pHR2O^Qeb:=m[^Qj``mYcWR27Z6RS^R2Rm25O^R4b>>RS^R5N3^RS^"
+    "R5jh65S^R7fnQa_]R8_82UO^R:f86V[^R;QVnNS^R<1N:6S^R<pm2:S^RBY=F5W^RF<mQi[^"
+    "RGT?^Vc^RHgpEN3PRJBL65O^RKR[N5S^RNCO1mW^RRbb^V[^RTBGJNW^RZ3AVEc^Rp:NbMW^"
+    "R]HLBNS^Ra:Nb9S^RhVoAnK^Rk:R65W^RoCO6VW^S1LW?;?^S3eRAJCVS6bB:9S^S6dcaiW^"
+    "S7_NN6?^S:[`BMW^SCJRnRS^SF03JVW^SFUYBAO^SG7mV9O^SI[U^VW^SImmJ6K^SKA[6QS^"
+    "SP4:J:S^SS[ff1W^SU<PI^K[SZ[^^NS^S_F8Q]_pSdLE^RS^So6n65O^SoR9=N3PT3bofQS^"
+    "T65fB5O^T8odVNO^T:f`ZIK^T<=;V5W^T>gcVEW^TBn_RRS^TGTa>2O^TI07fQS^TJSKVNO^"
+    "TOi36VW^TRYp6EW^TTBonUG^TUanVVW^TWXBeiW^TY8H>JS^TpDDVQS^Ta0QV>O^Td^PF9S^"
+    "TgI8FIS^TlZPBVW^U0L9JNO^U4Kc6NO^U532JVW^U76G>:;^U:OFFNO^U:o=R6S^U;;0fMO^"
+    "U;ZpJFO^U=O`eM_RU=cQ6NS^U?1666O^UDeYFQS^UKSn6QS^ULg_>IS^UM?e61W^USo]^UO^"
+    "UUNcIN3PUV<V5M_RUY[@jNS^U]0ZZQS^U]ZjVJS^U_[BZMS^U`Cb>VW^UcpEVIO^UdRSVVW^"
+    "Uf15UMkTUfCnRMO^UgT^YfK^UmFn6QS^Uoa6VJS^V2cAYIcWV3M;:IW^V7:06VW^V7h]VRS^"
+    "V9X_N5O^V=]9bNO^VBHBFNO^VGhY9UW^VHkpb6S^VNRJEJGQVQOE1nS^VT:?ajK^VUhBjQO^"
+    "VXd@1VKWV[nOjQS^V_4Z:QS^Vdnjeao^VjOA^:O^W2>JnMS^W73_5N;TW95c>RS^W9K:66[^"
+    "W;n>fMW^W<g2mU[VW>IWZQS^W>flF5k^W@_`iN7ZWCHoZ=W^WFcZabK^WJRAJMS^WQ_f6RS^"
+    "WRNfE]gYWSMi]io^WVV2>AS^WWX<b6C^WX67VNS^Wp@VFQW^W^;YiJO^W_U3iMoSW`?j6JS^"
+    "WfjlJMS^WmI1^QS^X2`BNJO^X3iY]N3PX61TEec^X66p6RS^X9M5^NO^X;0;5R;VX=;X^5O^"
+    "XAE?6:W^XH6HYR3ZXJ5_QVGVXNZSZ2O^XOe8BMK^XPSgJMW^XRTc2FO^X[oInRW^X^Ri5e[^"
+    "X_o3VRS^XcQOeJ7SXfRN1nO^XiAGV1W^XiE7iiW^Y0W]INCVY120bVW^Y1a11E_QY9DOR2K^"
+    "Y=CbVV_^Y?bKfVW^YAF1bNO^YC3:imS^YE9?bQO^YF_0>:O^YG4=ee[^YGIU2NS^YGiL:6S^"
+    "YK8h:UO^YP5d:Zg^YQfLZ5W^YY929N3TYZ4_6VW^YZT6UN3PY_hpBR[^Yck@mi[^YkH62RS^"
+    "YkTO]YWWYmkRjRS^YoURY]_^Z4NmEfK^Z7oWfNO^Z8]<>VW^Z:GaJ1W^Z;EE>9S^Z=cBN=S^"
+    "Z?FH:1S^Z?]PAJ3ZZIa3e^KZZVO;NJO^ZVR1ZRS^ZWpMZVW^ZX6gIYcWZYM?^UO^Z]^4afKp"
+    "Z_jTfES^Zbi6:5W^Zc=C:Z_^ZggpieS^ZlS^^IW^Zm9pYjG^ZoEcIn_^[1K<EN3P[4mjN1W^"
+    "[54KNRS^[6UkNQS^[7XRN9O^[8Je:NS^[?`9B1S^[@RWn1W^[A>SMN3P[CHE6YK^[CYH6:S^"
+    "[GIH25o^[KJJn5W^[YChM^;^[Y_=bBS^[pdTJYG^[^CRnJS^[bjZnVW^[i:eZV_^[m@4b9S^"
+    "[ojpbES^p1Rp2VW^p3k_^5S^p8m]fJO^p<mGRRS^p?WkZJG^p@==^UO^p@Ca:NO^pFE5RNO^"
+    "pFGDJNO^pFg;V6S^pGRZN6S^pL]09V;TpUICZMS^pX5Fj1W^ppM4N5S^p]@HFQS^p`SXF1W^"
+    "pb<eFJW^pg0<>IW^pgi0ENGQph<g6QS^ph>9^NS^pl=j2QO^]06C5R3R]3Lp]nG^]5>DmR7V"
+    "]7mpVQS^]>[?]J;X]DnI>1W^]N@@JNO^]T_>bIO^]TcZf6S^]]_Y]R3W]^kW5N3P]aeLBUO^"
+    "]b<<BQS^]dP4BQS^]eC8>VW^^7HTRJO^^8AlbIW^^=V`J2S^^>iMV2G^^AEd6VW^^AG7J1W^"
+    "^CK<UjK^^F@nMV;Z^I?XfFS^^JFa6IO^^OE?:6S^^UI92NO^^p3n:NS^^`N[[4o^^`Wp2RW^"
+    "^`cARQO^^cn5ZFS^^foV2UO^^haNNNW^^hlYNRS^^kf?2:S^^nbC=V3Z_11O6:o^_7aRbUO^"
+    "_;AffNS^_?APRRS^_B>CZIS^_EE3bJO^_EV3mN3P_Edjn6S^_FPIfFS^_IDVBQS^_IfcR:O^"
+    "_KYFA]_Y_PSVbNS^_WCWmUo]_XFp^IS^_ZoT9jK^_pG_ZIW^_`KFFEK^`2JL5fK^`4[5b5O^"
+    "`6LDZ>W^`9<Vf1S^`=Xo5IoU`?dl]V3]`B^K2VW^`F:0^2S^`JlR>5W^`M=obRS^`McCbUO^"
+    "`QmgAQo^`SaJ>6S^`XWHRV_^`[ETjQK^`^om=fK^``TEV9S^`aWhfMS^`gN>UmW^`hFAQV7["
+    "`hPDZ6O^`j5CbRS^`l@PeN3Ra38PAi[^a44>bRS^a6<8n=S^a8771aW^a?og^NW^aKUNEF?U"
+    "aKclB9S^aMlXFRS^aOoSF9S^aPgVAN;VaRBX=^KZaU4[:NO^a[Ye1mW^a`XKaY_[aaK_Z=S^"
+    "abke2NS^af^FRNO^ak^gRNS^am^YEa[]b8=nn5O^b8Ph:9S^b=UojNO^b@:6j5[^bD;9emW^"
+    "bDBc:NO^bDbZF:G^bHBE^MS^bKiiNUC^bL:lR6O^bOjlJ5g^bR29VMW^bRjm]N3Pb_GpNMS^"
+    "ba2<imW^bb@b>B[^beF8bUG^bf0cYmW^bfe7JNW^bgNGJVW^bjda2VW^blpNUiW^c1H;MnO^"
+    "c1pJ6VW^c2]:^V_^c88ln1S^c8LA:QS^c<MD6AS^c<V^MEoUc@7I2>S^cA9EjQS^cAOB>JO^"
+    "cGPVZRS^cHeVBVW^cISQZ5W^cImTMN3PcL;_>NO^cPj=IbC^cR_9V6S^cSPS2MW^cU=cEa[^"
+    "cUnUVMW^cp[?bF[^c]@FjMW^c]jh2MO^cb7229[^cdnXf9K^ciZZZQS^cjXo]U[pd0^KNMO^"
+    "d1HWRJS^d24fJ9S^d4_NJIS^d7G7FMS^d8fJFNO^d:hBMfG^d;`h>5O^d<@GNVW^d?DZafK^"
+    "d@OA2MK^dBeEBRS^dC1Q=J3PdJS=]N3[dM?c:2S^dMOmYmS^dR;oJQS^dSYRn2[^dZV;:5S^"
+    "d]@c:IS^ddBm:MW^dj`BB9S^e0X1EN3Pe12[ZIO^e3GKYN3Re7oJ5nS^e:]D:QS^e<ITFUO^"
+    "e?j8jRS^e@H5ZAS^eC7Oj5S^eC@RVJO^eCjcbEW^eK8[jFS^eNO5R:S^eRhENMS^eURmNMW^"
+    "eUoi2ES^eWfcVFO^eYT0JIO^e[h`INCUepWY2MS^e_1NVVW^ea4iNVW^ec>XjQS^ei9@JJS^"
+    "ekWpFMW^ekXd^9W^em`HJVW^f1C2jJW^f2UnfUO^f3mkjUO^f51YRMS^f;TMeN7Sf??66R_^"
+    "fB5E:9W^fDJ59MkTfGc4nRS^fK9NVRS^fK_m^QS^fLYf>MW^fQ=1fNO^fQN22RW^fQpi22S^"
+    "fQf:^QS^fWBN=MoSfY2U]Mg]f`hA6MS^fa3H6=[^fdiD2QW^fi576NO^fjp:f5W^fjl0ZQS^"
+    "flkIiJ3Pfmhm]NKWg33g:NS^g4ABNQS^g8nU^RW^g:GONMS^g:l0QRGSg=XUnNO^g>BJ9nO^"
+    "gGM]2QS^gGWPjNS^gGp]ZV[^gIPm9J7XgRUi6>7^gUL^]MoSgU`_^NW^gY5mfRS^gpbW>UO^"
+    "g_YHB6S^ga8lnV_^gcb]Z5_^ghWmBRS^gki?9a_]h0geiYoYh3DC6QS^h3SkBRS^h<E3RMW^"
+    "h<ojbRS^h=46nMW^h=lk5Q[Uh=n3MR7Yh?mJEZOVhB>AnJO^hBX1ZFS^hEpc5YWWhH[g2QO^"
+    "hR]O]J3PhTJSiic^hUE>VB[^hZd<Y^S^h_<b]mS^h_Y2VRS^hfOH=R3WhhN_5^OphkMINRW^"
+    "hncc6JS^i4@KnRW^i4oQeN3Pi6[lN6S^i6b>b>S^i8je]m[^i;0jVQO^i<khYeW^iF7TBRS^"
+    "iJ7=nRS^iO0pmNGSiP:a>NO^iPZXJ6S^iQF7BBS^iTKMjUK^iW0>VUO^iaL:QeWpieM=M][^"
+    "ijbFV:_^img]>QK^j0?L>1W^j1=02EO^j5>2n5S^j9j4bMW^j:=nNV[^j=8YZNS^j=@9QnK^"
+    "j@meVQO^jHNpQJ?YjMnR=YcYjQDDNVW^jVHWJVW^jX3]>NO^jX``n5W^j[Yn]J3Pj]_G]iS^"
+    "j^W7Z6S^jbKIRIW^jd6EnVW^jiO:Fa3^jieZYfK^jjeUB5W^jmP=B=K^jnla:MW^k0dMZNO^"
+    "k3:T5Q_^k4`52QS^k<:=amg^kAB5b5W^kF@pQYcWkI0eJQK^kJl^B=W^kSFj1i[^kV1R25S^"
+    "kVK;aEOWkXbEbVW^kc7_VAS^kebGVIS^kicJR5S^kmaRNNS^l3@EB5O^l7[cVMS^l>?YajW^"
+    "lBDKUN3RlC4LVQS^lC[L2I[^lD_@>2K^lHK]FNO^lNCpFAK^lO8PVNO^lOXGb6S^lRD_B5S^"
+    "lSZ@F:O^lW0jB6W^lpLpMmo^l^QS2RW^l_50>UO^l`HGnBS^lb5TfQO^ld0S6RS^ld6gR2O^"
+    "li`62NW^lk5oaQkVm0e6BMO^m1ZdfFS^m2D4fVW^m46hVNW^m5=ln2;^m5ZNNJO^m:f41mW^"
+    "m<=hinK^mD>hfm3^mGLKiJ7UmJViVIO^mRFD6RS^mSWDQQoWmW1LVRS^mWSRZBS^mW]76UO^"
+    "mZG_6MW^m[:c2VS^m]Tg26S^m^F@NQS^m`_?bVW^me9]nRS^mfIA6MO^mhnhMN3Rn38>F=S^"
+    "n3d6bRO^n6c>N9O^n9BgJ:S^n<8YAVGZn@>KfIS^nBi3fIS^nJ:H9^K[nJZonNS^nP>B2R_^"
+    "nUHk9MgZnVZlFUO^npg@fUO^n^dDBRS^n`1O=N3PndYn1UoZnhLJ:MW^niTMbMW^niZQFV_^"
+    "nn1KF2S^o19QZNO^o1cQJVW^o55bJQS^o5Uo^9S^o?<A6QO^oAQ15UgUoBe7RNO^oJ_fFRS^"
+    "oK=c69S^oM;BaV3[oN6?nNS^oUnIFBS^oYDbn6S^o[I2V1g^o`eVJ=S^01<BAJC^04C_UfO^"
+    "05LP5bG^06b;bZ[^082cbQO^08X^nAS^0=jIm^G^0=mOenW^0?;D1f7^0?H?6BO^0B^nnMO^"
+    "0FgiIjS^0LYN:NS^0L^?^EW^0P?A99k^0QEOjBG^0RPbA^7^0TjLfUG^0ZjVB^_^0^pFZ>O^"
+    "0bACV1c^0cC^QeS^0d7fa^K^0g:@NJS^0hVmMnK^0jf>a]W^0jfPfJS^0jkBJMo^0kADfJS^"
+    "0l]42=o^0le=R23^0ljHiQkT0oRRVIW^0oYSn]3^11aQfRW^188UnMS^1>F6F:O^1AnK>AS^"
+    "1D3C=]c^1Dh[FVW^1E`Jnno^1GXd>N[^1I3SR^_^1O319jG^1QTeAmo^1VhMmQgX1W]T2AW^"
+    "1Z2_5Yo^1`;Mj1O^1bPXib;^1c5^2BO^1d<Pf2O^1e9<F6S^1eefjjk^1jnRa]g^1kNfAe_^"
+    "1k`RnEO^1o^P333^22JKIbO^23LLU^;^25jV^MS^287XAE_T28l^F5[^299kR=S^2;jFIYc^"
+    "2>HPVAO^2?lG9RGQ2@UR5ac^2@VanQS^2BISR2S^2CF?2JS^2DH@A][^2EJ79Y[Y2Go:mE_R"
+    "2Ihd6NO^2JV2^MO^2K[oJ_3^2L0=jZ[^2Lf:5^O^2P4F]jC^2PWN6NS^2TeSeRKV2XJ72>[^"
+    "2XYAiZK[2YLd1jS^2[44YfK^2pH<Aao^2]iS=Y[]2^@9>k3^2^fFMa[^2eFIZ2O^2f:QjAk^"
+    "2f:kYfO^2f?gU^3P2jWZfBO^2n]aIUk^2oH<=]kX35G5bJO^39H8^BW^3<Jl6MO^3>cXiRK]"
+    "3CJi5fO^3CX=j^_^3DhenQK^3EPW>>O^3FkFN>K^3H;nN=W^3H>>BZc^3HdKQe_^3KQ`QJOX"
+    "3KWHBAW^3KhbjBS^3LO09i[^3MnQ26K^3P90]^K^3Pb1f=S^3Q1VNRW^3Q?cQic^3TlEjBS^"
+    "3V5ZQVKT3p1`AeW^3pgJJ9W^3^jhbIK^3_RO]ZG^3c]YjN[^3dK:Qmo^3fI1:IS^3fnlJEK^"
+    "3kY0JRc^3lm86RS^3mVBn^c^3nfk2QK^3oCJ^MW^41a;:Z[^42BDbMO^43jZj=[^47aDVUK^"
+    "48G85ig^49[?^IS^4:o[R>K^4;4M6=g^4<HTbQS^4@K;]U_Y4CZPNQK^4E;o6IS^4FFSR=S^"
+    "4Hi5Qa_]4JP_j2K^4Kf]URCU4POGNQK^4T<MiYop4TDWINOR4Vm:j2K^4YAObM_^4[lU5N?X"
+    "4pbQA=o[4a_IZUG^4cI1b]G^4dOdU]_]4fFYfIk^4g68>=O^4i5>^6W^4iC9b=S^4ko561_^"
+    "4npJ:]C^50[6inK^50pbU]cY52IPUYop52[i6fg^5<eA6QO^5?gZ^NO^5@BNab3P5AfGN=W^"
+    "5B`XjQC^5EKDIak^5H`HUV7Z5J3nB]C^5LiLfQG^5NQ[B9S^5O?UYnW^5S3Cb2S^5SG@BJS^"
+    "5Xf@2RW^5[VA=b7^5pYn:Z_^5]MP>Z[^5^4]JRS^5b`_>IS^5cP=VYO^5eTG^V_^5l^]nEO^"
+    "5o3i1f3P61R39mO^65<Wf5S^65Y7R]G^67Qbeao^6826Emg^69=Zb2[^6BdE:NW^6EP@NBK^"
+    "6E]UF2S^6FLYn>G^6GKUFJS^6Jk`ZEO^6ORLb>S^6T9pnBK^6VL4:FO^6XGHnFS^6XMJJIW^"
+    "6ZNbbN[^6_:dV]C^6_W<V]G^6c]C:6O^6h5b>RS^6i8cFIO^6jE=eV;T70Sp2J[^75`;Z2W^"
+    "76TKZNW^7:?0F>O^7=GgBUC^7=d?BMS^7CeZ^NS^7Eea6]3^7L<e=IoY7Mh]6:O^7Oc_j];^"
+    "7P>eiRGS7TZ_1N3T7UE9b=[^7U[F25S^7XL32JC^7Y2@Ae_^7ZOk5mO^7ZQa6NS^7[lPJFO^"
+    "7]8XeU_^7]c3Z5[^7^dPb2C^7_B0JIO^7_E6AbO^7_kCRBO^7`XR:IO^7bXjYic^7boZmjO^"
+    "7d6UMN?V7ec;bAS^7hXZAn7^7n8l6=S^816T9f7^83l:ImS^86RFEZ3P89TMmM[p8:9S6FO^"
+    "8;J;6=W^8=RdaN;[8>eTfIS^8?0@=N;Z8@emEec^8BR[EZ;^8BdH2I[^8DN0:1O^8EOMAjS^"
+    "8L9E]YoX8LEnbEO^8MHB29_^8N4ZQB7W8Nc1BNW^8P5W2QO^8W29nAS^8X[ZJQC^8YW=bIS^"
+    "8Y_O2UC^8]D2>J_^8]j?MiO^8_Qif2O^8`_^1]k^8`lY6:G^8gPieAc^8n=h:NS^8nBY^EW^"
+    "91c[=B3^93;^FMS^9??9:^_^9A0?1m[^9C]T6aC^9Ce]V1[^9DGe1jK^9Ep@efG^9H^ZNBW^"
+    "9J;GN2S^9K0;RBO^9LJjfV[^9LOpJAK^9Le^f:S^9Q6lVEW^9ViO9fG^9YponUK^9ZLNE]g^"
+    "9p_QBJS^9]9cJYC^9_jPF:S^9cRe>EO^9i=>>JW^:0SEFV[^:0WK9f?^:1o4QJ7S::dJNZc^"
+    ":;NoUf7^:;W95f7^:=C12>W^:>Hm^=K^:A_gimW^:D52m^;^:E`jf6K^:F]VJ:O^:LRlab7^"
+    ":M3@Aek^:R@eIj[^:U0fUR3^:Y2gERGR:ZQJJNS^:Z^EREK^:pDU^^_^:pYb2a3^:]N`MQgp"
+    ":`CHj>W^:dbOR^g^:djY6>W^:elZA^K^:hhV6]C^:l:L^AW^:m1PQMk^;1PW>R[^;1X`]f7^"
+    ";2;h6RS^;5NpNA[^;8^M6FO^;?FGaZ3P;?Mm=QWY;FWg6=G^;G^kn=_^;GdAUN3^;L<4jNW^"
+    ";P>QMI[Y;VkOb:O^;Y<0jQK^;ZlR^>W^;[p19M_Y;eDaNRW^;hO`NBW^;jHeQec^;mM<jFS^"
+    ";mU`9]_^;oRk26K^<2FKf9[^<2d=Qm[^<3eZZ2K^<58@MI_p<7<JQAoW<:p<9m[^<=Yd>9[^"
+    "<>KdN=S^<@OBbI;^<A6i]fO^<C:62=O^<EB3jNS^<EgK2UG^<HSFIiW^<NUWjUK^<O:]2JO^"
+    "<P[_bQS^<SEU::K^<Sf^bIS^<WSe=ec^<Y@lnfg^<pXg:Eo^<a:OUQc^<dm=aNKS<e>jNIW^"
+    "<f`I6]?^<l59j2G^<mK7UJ3P=4JjB6W^=5`gi^7^=8QTjBS^=9FHn2G^=:0Q^Nc^=>1TYMoZ"
+    "=>e6]NGQ=@<XJIS^=B;^iVK^=C?22^c^=CCcZMW^=Gk3fN?^=HZR>9O^=MSO:1g^=P@d:YG^"
+    "=R7GJ>W^=R?PinK^=RA<UYkZ=XfgR9[^=YHnj23P=ZUA>6[^=[^1a^K[=]_dJ6[^=_<QJ:[^"
+    "=`EAmNGQ=aL4bJO^=afhaV3Y=d;kUV?^=dE2jEO^=fo^Mmk^=gCHiV;^=hF5eNKp=hc;aJG["
+    "=iae6Z[^=k2M6MO^=kjY5jO^=m9K2>S^>0j3AB;X>0m9:N[^>1`[>Nc^>5QCMVG[>>>H:NS^"
+    ">>NbifS^>?Y7NNW^>DE9>EW^>H:I=^3P>Mj?Vbc^>PXC1mo^>RD:iZK^>V62n1[^>Va1f5W^"
+    ">W7P6>S^>W>cR]C^>[^`AnW^>]eh5Q[X>_p]F]?^>bR;jYC^>ceWabK^>j20Qak[>lP:Z=S^"
+    ">lj0iiW^>nD`:2S^>oRBAmW^?0Q=UbG^?4n4R9O^?7hDZ^c^?80N:BO^?98lZMO^?9kbnBS^"
+    "?:1dJAW^?:md=]oY?<3<fZ_^?<MW66K^?@ALimS^?A;VVIW^?Bclb=o^?CK^1Z;Y?EA]>:O^"
+    "?FYjZ2C^?G=22FS^?Ih7AF3R?J]=FES^?KiWeUgV?QYXUZ?]?ReV]e[^?S;7>MO^?TO7:ES^"
+    "?WDU^2K^?X8eZFS^?a=>bJW^?b^9Fjk^?eCEEI[Y?f0An1[^?hj@2a?^?iEF5V;V?ma?=QgX"
+    "?naf=][^@3VKBQ?^@6?91R?[@6EhFR[^@6l5Ue_^@:VZB5[^@=PjJJS^@@Hjb>K^@B<l:AS^"
+    "@CW7Jfg^@D=DYec^@F<K6JO^@GGUb=W^@M2ZV=O^@OXfQZ3P@O]F61[^@QeoaeW^@RZn9b?^"
+    "@X6`EMoY@Y5IZ9k^@[0^Mmc^@[8gmic^@[]m6JW^@[b^^UG^@]TPFI?^@`InfUK^@bGeQ]Sp"
+    "@hF_6F[^@nAdjEK^@nlp29g^@oJUJUO^A0GKBJW^A1U?NJW^A1Z12IS^A6JRIVK]A70_ZAO^"
+    "A7hOBUK^A:@4JMW^A;=gVVg^A;d4eeS^A?NYMa[pAA6Cf2K^ABD81ac^ABQ3::G^AObB:BO^"
+    "AOg3^Ac^ASH5==o^AV]C>jk^AX82Nfg^AX?in9K^AYHZNaK^AYnU^QO^A[9::=W^A]NE=QoU"
+    "A`UlBjo^Aae:ZBK^AafTFe;^AbC42IS^AeJ7Um[^Ael?1^?[AfjD>]G^Ag@ZebG^Aj`mjEG^"
+    "Ak_aR:O^AlTUVFO^AmoDfZ_^AoH>6]C^B2[FVA[^B;AInMO^B<gZ:Z[^B>CkFJ[^BANjFFO^"
+    "BDfPF^_^BE7?>AS^BIUafZW^BJaXBJS^BLA96EK^BPhIBUK^BR;e9fG^BSSNUNGQBT]YAj3^"
+    "BT_2nM?^BWOMiJ3RBYFC:a?^BZfH6AW^B]mSFEO^BcDAj5_^BeYLmj;^BgEDf6O^BhB0J>S^"
+    "BljlAM_RBn7FaYo^BnWZAek^C29GQV?VC2bRN9[^C5`B>UC^C6U@UN?ZC7W7MMoVC:h0BBS^"
+    "C<5RIm[^C?3:MR;^CF2m6F_^CFO36BK^CFfO:Fc^CGLpIiO^CK_^6=W^CM1X6NS^CM^f^=W^"
+    "COYWNV[^CPM9Rfg^CQ3FaIgXCSTVf>W^CS`B6NO^CXLgm^3PCZBg6FK^C_^GBM;^C`jaaN?^"
+    "Ca2G=a[[CalXZAW^ChX`faC^Cl=D5nW^Cm@12]C^Cm`NjFW^Co8pEbG^D0dTB6W^D3DdFIO^"
+    "D5cnNV[^D8OiajO^D8kK^6S^D:K>VfW^D;1KeaS^D<Pl^>O^D>X<^QO^DENL:F[^DFp@F9O^"
+    "DG9FBJS^DKj]^=[^DO1VnJS^DO::=YoZDOWd9e[^DQ7E26O^DRVej]G^DSjefES^DTHWR1W^"
+    "DVplN>[^DW>66QC^DY4YEjK^DY>NQ]kZD[5KRfg^D`0>N1W^Db[C]nS^DcSEFbg^DffMjFO^"
+    "Dgp85]k^Dj7`J9W^DkXc9fO^E5K8bQO^E5MZU][pE98?Aec^E:eG2RS^E>3]mMoSE@hFIZK["
+    "EA?bRRS^ECSo^AO^EE3PVfg^EFQWaI_QEFcDNIW^EHDc6a?^EI]pFRW^EL1iUaWpELK_b1g^"
+    "EMQJJZk^EMYSn2?^EMmj:V_^ENDlRVc^ESX;NIS^EVKcnRc^EWEAm^7^EWR=2N_^EZ5njB_^"
+    "E[34:FW^E[P:6ES^E_kEAB3PEaa2JIW^EdcL6NO^EfTGUeW^Efkc^5[^EhI?9>3^Eo7i:1k^"
+    "F0:D69G^F1e>:QG^F2OO5f3PF3[aJBW^F3cjin?^F5RDYQk]F6fDVBO^F8C1VJS^F8O6UfW^"
+    "F9`nMQ[VF:mHmYo^F=6FajO^F?@8VBk^F?D>JJS^F@Ii2>_^FC0NbJS^FDo;QiW^FE>N5M_T"
+    "FHT8N1o^FIdNIfK^FPBSjIK^FPihb1O^FSE5>FS^FVP4BJS^FZ8I:9S^F^Z]IQcYF^_5A]o^"
+    "Fa@iE^3PFc_3QY_ZFeJORRG^FeiS>MS^Fi^c>1k^FoIh25S^G24SQeo^G2ab:RW^G3ohFEO^"
+    "G8EKf1W^G;LW69S^G=C:F:O^G?JT:jo^GC8P]f7^GD6UjYG^GEJ1af;^GHXbMY[pGML7Z1W^"
+    "GN4T^AO^GNNJiUg^GPBf2MS^GPEGeMoVGR3Gf1c^GT4DF:G^GUOMJ>K^GVRNR9S^GX`_iiS^"
+    "GYGm6AK^G[H3Nbk^G[P=2>S^GpR>>1_^G]mG>2W^G^2166O^G^;BAmS^Gb`0ZIW^GcRnZbc^"
+    "Ge081mW^Gff7>2K^GgT1URGVGhaL2NO^Gj`8anK^GlAWJQO^H3>2UbO^H4_Q>9O^H8ho^6W^"
+    "H9]?^BS^H>IeQIgYH@m3FAW^HBKfAR3PHE@N]ZGWHFg_IQkXHFnN^^?^HI4<f:S^HMQ3^^c^"
+    "HM^HUNGVHNO]1J;VHOEY=McZHQR6YVK^HWjBJR_^HXPOYmW^HZOV62O^H[jEJNO^Hp;4B1c^"
+    "H_5DJFO^HcaF>=W^He;QJbg^HeWiJ67^Hea^Y]c]Hf8Nn2O^Hh_F]Z3PHhkobAW^Hn5cAnW^"
+    "Ho>SabK^I1=@QMk[I1A`65[^I74f^M_^I7pMYRG^I9WPJY;^I=BG6JS^I>Ro6=O^I?8jF=S^"
+    "I@Ym5ZK^IAnHjEW^IDJUA^G[IE[OEb;^IEm<2IS^IPQ62EW^IQkeBRg^IS9YNBW^IS>K6IO^"
+    "I[dNJMW^I`UIMe_^IaJaVVW^IbZ]f2O^Id5M:BO^Io78fBK^J1FJ9][[J1Fp:BO^J1KMbA_^"
+    "J3JT=Q_QJ69_FUC^J6TeEQkXJ8A]>fg^J<]T:1S^J?2_=nO^JD931i[^JFnQV9[^JHe4e^C^"
+    "JJSNQUo^JL@VBno^JMD;R:K^JN8oVBK^JOS^fR[^JT:8iA[WJY`2JUO^JpecnMS^J]7XIaO^"
+    "J^L4:Z[^Jf[Y>=S^JiUiJNO^Jk:;fbW^JlF2Bbg^K3<A^IS^K3`?9nC^K6>[Ffo^K:j]:MW^"
+    "K>WcUQoUK>_m9n3^KA>7B5S^KDh[j1_^KG5]Meg^KG=fm^?^KHi^enK^KIfJJ>S^KK?g]RGU"
+    "KMTjR:K^KNOFAJ3PKO[`aZ7^KP<4Aik^KR<:^Jc^KRPI>NS^KW7YJ>O^KX9ZYN3^K[E_9NOY"
+    "K[be5N7^KpLJBB_^K^jBJ:[^K_9MAbW^K_loEfO^KcOTemK^KclbNF_^Kd`DRbg^KeFQaeW^"
+    "Kh3M6:C^KhPlaR7VKl[71ZK[KnV26JK^KoC@^EW^L1SH9f3PL4aT]j?^L:1AmMo^L;gA6>S^"
+    "LABaBEO^LBk7NMW^LECd=ZW^LH?<Qf7^LHkU25G^LI5pB=K^LJ79J:K^LJ8IB^_^LKI1BQS^"
+    "LKnlQUWULN^IVR_^LNdK2MW^LODhjFS^LR1kibS^LRpFZQG^LSEYb:K^LUQe>MK^LVeA5J7^"
+    "LZ4CajG^L[LQBFW^L[oXZNS^LbQkUiW^Lf2[1^GXLg2f>BO^Lj=e>:O^LjgmnV_^Ll8UnQK^"
+    "Lli<Qm_^LmO7^=_^LmQYQe_^M0V0nFS^M1<>=i[^M2[_62O^M3A6>=K^M46NFV_^M5G6F=_^"
+    "M5O?f1S^M5cV6E[^M5m1Uig^M6nN^2C^M8AFRV[^M8bP6EW^M:Y3EnO^M>AOjYK^M@bXB5_^"
+    "MATXN1W^MFBj2=W^MI@R5b7]MKp:ImW^ML60ZI_^MM==:2O^MRCQ2JS^MVoRbIW^MW:>9NGT"
+    "MXd8BBO^M]`^YI[SM_X7mJ;SM_a[:5K^MbL`IN?UMeR?mik^MeT=^9g^MfV4VYC^Mh?TnA[^"
+    "MhG^RAO^Mii=6]C^MmVCUiW^Mo=mmj7^MocE69S^N0PS^RS^N5<UNYK^N7<mmM_[N8i[m^;^"
+    "N91eMZ3PN96W6FO^N9<4J^_^N@2CjMK^NAO_AN;XNFLWZMW^NI@dBMS^NKUoA^3PNN49MaS^"
+    "NPT9Zi3^NSIX:i7^NT3i5^3^NTT<Y]_XNUHDj:7^NU_a22W^NYeMfJO^N[o[R5c^N_FKJNS^"
+    "Nc:9NV[^Ncm[VNO^NdThbRS^NfSUQm_^NgMfn=S^Ni@jRIS^Nj0HnUC^Nj8RMj7^NlegRUK^"
+    "O1fmjIW^O84NBNS^O;pc:=W^O<9BjYK^OBakNVW^OGMm>EW^OIDPNFS^OK?SB9K^OKC=>1o^"
+    "OQKl2EW^OSXmQf;^OTf=Zlo^OYief1W^OYimRQC^Op?0ib7^O]116=[^O]jhb6K^O`nn:o3^"
+    "ObGgJY?^Odpj]b;[OeZojUG^Oj=NRBO^Om:dQ^C^OoXn^=O^P02dj=O^P1f0=b?]P4NSZZ[^"
+    "P5X^Iik^P73gJFO^P86hR=S^P=4W2N[^P=:XN=O^P>6X=ZG]P?VK62S^PBEB2=K^PCh2Ve7^"
+    "PDDJZIW^PFTR1iS^PG^pB]G^PIb^YnG^PLDRb>K^PLElO0o^PMf1JIS^PTbLUV?ZPVCk>Q?^"
+    "PWPE]EoUPZMI]nK^P[AY^NW^P[RFMR3TPp;QJ1W^P^l>F6G^P_n?QUW[Pa06J1S^Peb;bQG^"
+    "PeeAYfKpPhL9IM_[PhRh^N7^Pi95n1_^PjV`aA_QPo5M^JO^Q4Y7J9o^Q5=`ZQO^Q9NpJR[^"
+    "Q:4iYmW^Q:LE]iS^Q=_NB63^Q@Y^JFO^QAefi^3PQCQ^b6S^QD305AkVQEE`>AS^QF_kJZ[^"
+    "QGF8Z1_^QGphmnK^QJC`]N;YQJPIbEW^QJ_nJRS^QJn;N1W^QKoXYnW^QR^0Va;^QRf:65[^"
+    "QTTeeIkZQXY@^Mc^QY@gYZGVQ]L1f2S^Q]REEmO^Q`7I:IW^Q`?ZF]?^Q`]DF9[^QcRbjMS^"
+    "Qcd=RNg^Qf_Uf6G^QgQV2AW^QmJgjbc^Qn159Ec]R0RE>FW^R25P2=[^R3P?FNc^R4^3NR[^"
+    "R4be6AS^R6nTYQoZR9[iZUC^R=HhJIS^R>jG2AW^RD?7j2K^REVO>UK^REYg::K^RJ=_Ja?^"
+    "RO[EQR3RRP[RfFK^RRk6:JS^RRogbEo^RVPi==g^RX9?IZ7[RXbJAig^RYf7>^c^RbL:VBK^"
+    "RcYn^5K^Re]M5ic^RjINenG^Rl7hU^7^RmKhQbK[RnhUQnK^Ro]IVBO^S188fRW^S73P^NS^"
+    "S7@KbQO^S839jZ_^S8O?iR3RS;DLJYO^S?9pIak[S@Q3^^g^S@Y=BFO^SADUfZc^SAL_FJS^"
+    "SD2YB67^SDi92=K^SH@3>=S^SNOcJES^ST`[^IS^SWc5JNS^S^=PjNS^S`DG9j?^Sc9mJAC^"
+    "SdFGiVKWSfM5j5[^Sf[J^^[^Shb@mbC^SkBZjVc^SkJdJ:O^Sl`WaROVSoHaNUK^T06062[^"
+    "T1@:aR3^T1`NEak^T3IRFR[^T3Q[iUc^T7NY2NW^T80bR:S^T8p3J:O^T9^4Y]o[T<d7^:[^"
+    "T>0dBB_^T@;1n>C^TE3nfUG^TGiMJ=W^TJYhAj3PTM82N9G^TN_pf6K^TP:L6JO^TPgZ^9[^"
+    "TQZF]QWVTS7b9Qk^TTWU22S^TV^peA_TT]1I29C^T]K[:NW^T_p<BIW^TaEp^:?^Tb<<M]O^"
+    "Td;;BAO^ToNSYnC^U0BcZNS^U0iBjN[^U45kQaW^U76?>MK^U;XKaQS^U;X]enK^U=pUiMoX"
+    "U@K`n5[^UAa0bMS^UGW51bK^UIZAEmW^ULGVJQG^UO3Q^9_^UR:JnBS^UR`X=i[^UT@96:O^"
+    "UUZhFFK^UVRWn^_^UWQKV1[^UXRh^2O^UYe`R6S^UZFj:IW^Up=MF6K^UpGBUi_^U_a8FZ_^"
+    "UbG2Ae[^UgZZmYk[UgbdMjK^UggD2=W^UjpbUn;^UlbjNYG^Um@TJIO^V0@^AM_QV2M;bNO^"
+    "V44f:AW^V77GR2O^V8@81ZKZV8SlfES^V8^X9I_RV:k5V:W^V;^W^6W^V<3f9ZOYV<A3Aa_^"
+    "V<R_nIO^V?E8Y=_RV@P]2^g^V@^1ibS^VCeO9Z?^VD1:IZKXVDQ_mFGZVF6VQJKTVI_=JBO^"
+    "VIco2A[^VIl8REK^VKP8meW^VMO?JR[^VO:]Ui[^VPbGmn;^VR3I]RGSVR4m^NS^VR8EYV3P"
+    "VV`oRQO^VXaGmIc]VZN5mb;^VZV?MN7XV^3Vn:W^Va5LUjW^Vb>=5NKZVdpOM^3PVeEZIj?^"
+    "Veppb>S^Vgl@6JO^Vh11^EW^Vjp6mFG^Vm:IAmk^VmcT=^K^VnfA=RGWVnlDaZGpVoCG9ZOp"
+    "W0B0Jbc^W1RXJaC^W2@]9n;^W3STn:G^W3YVJ:O^W6l^n=_^W7J>UNC]W7MDNBS^W8@fUnS^"
+    "W8[8YQg[W;IgfBO^W<1NaZGpW<>cZUK^W@G^1jW^WCi_NBO^WD^SRFO^WF9BbRW^WH7oR5W^"
+    "WI2@nEW^WJeDVES^WKplMn;^WL4HV1W^WNJAReC^WTJJj^_^WVMiBFS^WYXhBJS^WpcS9iW^"
+    "W]A=:A_^W]W[N>O^WbkV>VW^WdF3IM[YWdFENJK^WdK76QK^Wf<h^QG^WfJ=QE_QWi2GBQK^"
+    "Wi9HVU7^WjEc5bO^X5EQ1ik^X;N?f1S^X=S7eYS^X=_E6Z_^X=cJif7^X>HP2Z_^X?Y82AW^"
+    "X@KnEnG^XA8Xj^c^XBSH:fg^XFAD]V?^XFaX=i_^XN_>QbC^XPHBUQkYXQ=H^=S^XSJJ=Z;p"
+    "XW=8I^;^XY[BQiS^X^Y12R_^X^_2MeW^X_E[VZW^X_[2=YW^Xa:e::O^XehdZIW^Xi>DZ_3^"
+    "XkG8YnC^Xkj@2BO^Xmhlb:7^XoJKJ]G^Y0VeiMk[Y1WLiMgZY4XfYRGQY5B1Ue[^Y6FfUb?^"
+    "Y7hE>AO^Y94_]MoSY:5FaYg^Y:6VVMC^Y;iH9fO^Y<f3^V[^Y>d`MZ?YYAMCj9o^YARYUIcZ"
+    "YE;d2bg^YEP2RRO^YEjLfFO^YJ7B^^[^YJ]Ommc^YN<7FUK^YRlXYVOXYSRejAS^YSlp:IS^"
+    "YW_mg??^YXF;5aW^YZlG5^3PY[YCZ1c^Yb>8NBS^YbBj2MO^YcJ@iNCWYd4[ZIS^Yfj:>EO^"
+    "Yhh0e]W^YiABn2O^Yl4cb9[^YlRUQi[^YnfjJFO^Z4JT:9c^Z4b0>AK^Z5j`bUK^Z8CMQN;W"
+    "Z:=Z^E_^Z<j]]jW^Z=82VZ[^Z>HZVYG^Z?0Kf6K^Z?f62:K^Z@K;:FS^ZA[c:I[^ZA^2jbk^"
+    "ZBA^F5[^ZBD@9aS^ZEHWVNS^ZHdCEig^ZI606EO^ZIXeIfK^ZSYj25_^ZVBMMjO]ZVG?6=S^"
+    "ZWcP>9O^Zp7cj1c^Z]=NR^c^Z^X=fbc^Z^`5AmW^Z^mBJMW^Z_hefYK^Z`Na2ES^ZaYERAW^"
+    "ZecQj2K^Zg67Zfg^Zg>A::C^ZhF_Z]?^Zhc?JQK^Zkb9JQO^ZmJOVQO^[1?_Qb;[[1A9>IK^"
+    "[2?lf>O^[4OP:NW^[4TAbNO^[5hIJYK^[85C=Ig^[CGeRJS^[FRHYNOp[Kmhf6O^[LbJj6O^"
+    "[PK1bFO^[PLoR6O^[QAcV:O^[RaDNEW^[WHTZAW^[[?>BUG^[phfJQK^[]99NIO^[]oY=a[^"
+    "[_fNNMK^[`Ulj5S^[`hiIQkS[bU3FF[^[h<>baC^[idMB5_^[l;]^bc^p6i3=]o^p<@MVI?^"
+    "p=Lh1RGRp>3Q:QS^pH1OnAW^pH_JF2O^pJFZmZ;^pLS8J>[^pMFZR6S^pRF4^RS^pRdTeak^"
+    "pUMQn>S^pV9bb^g^pVmDj^c^pWSR9Q_RpY332BS^pZ@MNFK^p_U>BB_^pa_KnBO^pc`HMb3P"
+    "pf>RZQ?^pfXHfIK^pk1gfAG^pl>BER3^pnpLN5S^po8l>]G^]0Ll:=W^]1^f6JO^]2]OInW^"
+    "]3`<JYG^]6;o1fO^]<D9bV[^]?05:>O^]?KW66S^]@kInZc^]DKUF=S^]E_UB1K^]I2ANF[^"
+    "]MYQZJS^]Q2mY^G^]Qg=ZNS^]RMpjJ[^]Y71B]C^]]=7f>K^]_1]EV;T]aUVfZ[^]bXX2UG^"
+    "]dOMAm_^]i;O1bG^]j3P^R_^^04@FV_^^0Wkb1[^^0ZMUmS^^3^dnBW^^44CFZ[^^4E2=i_^"
+    "^5dS6:K^^7?BFJO^^95eUi[^^:7B^6K^^;kD:MS^^<MKU>3P^=EOFV[^^=agF6K^^=kpV1O^"
+    "^?EUc13^^@iDYeo^^CkLB9S^^DkEI>O^^GHQ]nK^^IG>MNKS^IK^2EW^^KS[nVW^^NdnNMG^"
+    "^P=gZ>S^^Qe8EJGR^SHJfRW^^T1UbRc^^Te7fNS^^ULE2FO^^Vpm6ES^^Xdjm^K[^Z8FfIS^"
+    "^ZR=2Bc^^]eMAf;^^b0ENAW^^k>eeZ3P^ldZ:IO^^m4RmeW^^mKo1mS^_3p_YMoV_4iobMO^"
+    "_6ZOJAO^_8EIRMO^_:;l^>S^_:Eam][^_<2OmjG^_<?K6FK^_=boYb3P_=mdaiO^_>oAifS^"
+    "_@A9aYcV_CVR5n?^_EecJUC^_F@iN1k^_Fj4J6O^_GTO9Qo^_IPZ6FO^_IUK^EW^_K]IUbGp"
+    "_OGn=^;^_PQnVQO^_S72NYG^_Se7:27^_WJ45mK^_Z?RYZ3p__8OR9W^_a0^MUW^_g]pbNO^"
+    "_jVZnIO^_lI^VAW^_mAFN:C^`4oajMW^`5j3FIK^`9AmNNS^`:P3^AS^`;=BF>S^`==H^]?^"
+    "`>eW:A[^`Ej_Nb_^`EoQ6A?^`JVaBMO^`Kj=9fC^`NL1>1g^`SlC21[^`TT`2AW^`VYX2MK^"
+    "`Vik5n3^`]2Yf1K^`_GdiV3^`a3pb>O^`ah>fZ_^`b]2jZ[^`d[MUa[^`eVC6BS^`ge^]bK^"
+    "`hF2Ai_^`j39nbc^`n4<iR?U`oAWEfK^a0CXU^;^a2ab^AS^a4nd=Z3^a7U7iZCWa8]:QQ_X"
+    "a8aRIYg^a;?pRIK^a<gFn2O^a@=K2N[^a@CLMeW]aB_?:BS^aGM>ZE[^aI]F5Qk^aJWiQjS^"
+    "aK`Z5jS^aLkR^>G^aMNZ2V[^aM_FeR3TaOMFb2?^aR;?ibG^aT1?6N[^aT>SiNGWaTohERCV"
+    "aV9V^m3^aWk@YZ7^aYc=R>W^aZY9]J7Ua^BD>Zg^a^JM^J[^ac1]j9k^ak0KfV[^ak[p^Z_^"
+    "anR1J2K^ao`QFMS^b2>AbJO^b42g=^3Pb5^_:2S^b7akN5[^b<Pa5Y_^b><XmjK^b@7[bM;^"
+    "bCbRNBG^bE3:NAO^bEY5ZA[^bHNT>5[^bJe]26O^bMY=fIS^bN6oR1[^bPKDNJO^bRc1AjK^"
+    "bU;eaMoVbUnn:1k^bXlV>Ag^bY^VJEo^b[b4^I[^bpI[Y^G[baoU:NW^bcf8F9W^bg5TeUk^"
+    "bjZJ6EW^bnX55N3Zc5>D65g^c7kY6AO^c9GjB9S^c<YjZQC^c=p=j=_^c>ahR^_^c?6m::S^"
+    "c@QpNES^cC=_R5W^cE`AQe[]cGGkj:K^cHZQZNS^cHb[::K^cQ3Yi]_^cR`aZjk^cSdFf6S^"
+    "cV3j>FO^cYY]=B3^cZZDAEg[c`@=^i;^ccWc]eW^cfHPZ:S^cmRBf6S^co@pUZ;pd2f=VRW^"
+    "d3PFFRc^d49YNIS^d9pM2YK^d;[SQbS^d<^f^fk^d>]SNEW^dB:Fj5O^dKHgAm_^dKW<2:S^"
+    "dN5NI^3PdT55j6W^dTDRb=W^dVSH=R?UdXMM=b;^dXpF6F_^dYe6UNGWd]dgVAK^d_Wk:IW^"
+    "d`c=QZ?^daejQZS^dbC0MBCYdeJM^2S^deYXUZO^djLmbJW^dk@OjZc^dnT29fO^do185J?V"
+    "e4iBEik^e7nWRJW^e98l6Z[^e<fhY^3PeA9XBF_^eCCenBC^eEDbMV3^eGblZEO^eH<bfMS^"
+    "eKcoURO^eOUgZ9O^ePWDb>S^ePXTVV_^eP^X:aC^eR1F:ES^eRO7f=S^eSC@:NW^eU>TnNc^"
+    "eUDVJIS^eW`I62G^eXR7=fO^eY<R2e7^ep20Ve7^e]ELIV;^e`TO::O^ealpUjS^ebOcnNS^"
+    "egCoAe;^ehX6jAW^ei26mmS^f1H9Bbc^f2WGYfO^f2XaFYG^f3KWZNO^f88=MUkVf9aAR1O^"
+    "f:[KBMS^f<CaJMW^f>aQf6K^fB4F=m_^fCGkiJ3TfD=22QO^fDa[BQW^fJ_i6:K^fR<EbAS^"
+    "fR>gUiW^fUC>nJS^fUiL=eW^fXcpFFO^fYodei[^fZZ?V5_^f[[p^6O^f]O^:IS^f^1eURGQ"
+    "f_FAJ6G^f_P6U]gXfbJ4^QK^fbM^YQoVfd@imN3RffAfN=O^fhAZiQW[fhlkabK[fjkXQR?Y"
+    "fk0829[^fm6?ji7^fmm`5mo^fn_`EmS^g0IHNMO^g6CPMik^g6KYn2;^g70_2NS^g;p`fMS^"
+    "g=6l2R[^g=]9AmO^g?IgAj;^g?p?bZ[^gA6o2JS^gDEF1V3PgFRO>UG^gLc?eN7XgLlc2E[^"
+    "gW4DnQ;^gYicRe?^g[gZ9iG^g]ce6>K^gefV^NO^giZDfFO^gk546JS^gk9e^IS^gojG1NGU"
+    "h0PTB=K^h3F2fIK^h4[LNQS^h5CiMeS^h5IQ::C^h@piV9g^hGgGRJO^hIB6bRS^hK@cRAW^"
+    "hL;4nEO^hMn8VAo^hP=7fRS^hQ_^VEG^hRhO:QO^hS^]Ij3^hVT;jMW^hYV]BRW^hZ5`n^k^"
+    "h[FHnYC^hpapFFS^h`J1>9[^h`J8j]C^hd@bRM;^hgO9Nfg^hhh2^e;^hl;;BES^hmNW9fC^"
+    "i00K=mo^i69:2EW^i8F;Uf3^i8NE5f7^i:n_2RS^i>W3imS^i@l>iUk^iBX6f6O^iCTbF:O^"
+    "iDALjZ_^iIJ8]Z;^iJH=ne?^iN>gVMC^iPf1I^K^iQh2UYc^iRf7bi7^iTF<^AO^iWUQN5S^"
+    "iZElI]c^ipd6VIK^i^K`n6O^iaae2F[^iagfNEW^ibcfAY[^idCY9nS^ifJ`mMoSifefmRGR"
+    "igPAb5K^ihDJ2Z_^ihQ^ifK^ii1XZEW^ikA`5V;pilBG6AO^inOl]j?^io346NO^io@6jUK^"
+    "j11`b2;^j16l9IkTj3_Yib?^j5UY6NO^j9OZYf?^j<E9=I_Sj?ng^FW^j@FCfJc^jCAp5akZ"
+    "jDV7j=k^jGXQV2K^jI3@fJO^jIln>bc^jJS;ME[UjM9GI^3PjM@6bRS^jQ@9bRW^jSb[bJG^"
+    "jUWAAY[^jY>;nQC^jYFEN5_^j[51=M_^jb8URMK^jcl=:BK^jeFlN2G^je]8]bO^jf_e^aC^"
+    "jj2n>AW^jjDHjFg^jjjV9iO^jlJ722K^jo=WfES^joM<NJS^jo[IQi[^jom6>A[^k3k3Bfk^"
+    "k4Q@QYS^k72PV:W^k7SH:67^k:Q0>9_^k=FNbIG^k@<521S^kEJRJ5S^kIIEQmc^kL6ZVYG^"
+    "kL>d6=W^kP<a:R[^kP]jb]?^kT=d5J3RkTU@:fg^kVb^61c^kYKARBG^kYP365S^k]3:2fg^"
+    "k^fa]a[pk_BUYac^k`FBVV[^k`T_R1W^kb66NIS^kcWU6MO^khlEijK^kj::65S^kjG5:>?^"
+    "knjmNMS^knmOA]_pl0aPYjO^l2X3iYo^l2`=IZWZl:H;1N7Zl:_W:RS^l;>7A=g^l=3dJQO^"
+    "l>SEBno^lAdWbi7^lC=PnRS^lG1?737^lG9HVBO^lGda:Rg^lGlj^JW^lJJ[61c^lKIDJ9O^"
+    "lO6pinO^lOkXZbg^lSUcRBK^lTonbMO^l[@g6YC^l^C@^RW^lcfjImc^ld]p>V[^lg;nU^3P"
+    "liZ8^AG^llmAB5[^lm;V2^g^loYhIV?Ym19[FRW^m1KcjZ_^m1bf>V_^m3@c5E_Qm5hlfES^"
+    "m6V;J6W^m9i]^Zg^m:1g=^3^m=gbnFO^m=ndFRS^m>PmjBS^m>^B]YWpmA<E>MW^mCDC66W^"
+    "mJI]ImW^mLdijVW^mSX=b5G^mUmHeb3PmVMpF1k^mX:R5U_pmX>iiYo^m]>h9IcYm^KBY]o^"
+    "mb^2BK?^md9;ENGTmdh?nBG^mhpGeYW^miGFZES^mmHIU^KpmmO]2ES^n4gZ:BK^n6bnnFW^"
+    "n8jHbR[^n=VJVe?^n>i8Qi_]nB8W9M_]nB8i:>O^nCQ6YnG^nFklF=O^nGTIFAO^nHhIB=W^"
+    "nPVlJF7^nQ>]YZCWnRga^9K^nT;aYfG^nW[6j5G^nXZVB:K^nY4fBMO^np?eBMW^n]2cBfg^"
+    "n`Ekf:G^nbA@ZNS^nbgMj5[^nfACZNO^nlDC6:O^o36E1UW^o3C5bUO^o3cAV9S^o78EaRGQ"
+    "o7Mf>5W^o8mG6BS^o:H6JFO^o;T>eN7So<>YV5W^o=@6]nG^o=WRejO^o>`CINKVo?48:EW^"
+    "oAK@n6[^oBT1MbGZoD28Y]_^oEeCmJKSoG0hJZ_^oG4@B1_^oG>==NOYoGoQYV;XoJEZQ^O^"
+    "oK1kENG[oLTR69W^oLVaeRGSoOR:9f7^oQJ72^g^oR0DB1W^oSoJbJS^oX03mekpoXU96FO^"
+    "oYea6=W^o]A:fEW^o]Kf9^3Po^[F2FW^o_ASAMgWo`nAEek^oa?n2IW^oei`1N?Xof8jiZG^"
+    "oh^HMZKZonQ=2E[^0000:1g^0000NF_^0000ZRW^0000b>O^0000nho^0001NJS^0001V5[^"
+    "0001iao^0002>NW^0002F5S^0002j6O^0003B=W^0003FMS^0003ZFW^0003aa_^00046EW^"
+    "0004Amc^00052N[^0005R5G^0006NBG^0006n5O^0007MjS^0008>c3^0008F5W^0008j1S^"
+    "000925o^0009ZBK^000:6e7^000:N2C^000:VJS^000:a][^000;22K^000;5U[p000;R=[^"
+    "000;eio^000<2BO^000<QmO^000<bFS^000=B1k^000=JBS^000=N>S^000=V6C^000=iQgY"
+    "000>>>C^000>UjC^000>^23^000>eb3^000?2Nk^000?>fk^000?YY[^000?nJO^000@22?^"
+    "000@MQg^000A6=g^000A>MS^000AJ2G^000Af=_^000BN5c^000BZES^000Bb6G^000Bf5g^"
+    "000CAV7X000CV63^000CbJO^000D6IC^000D>5g^000DB6;^000DV>W^000E1]_^000EF67^"
+    "000EREO^000En>S^000F1VW^000F62O^000FN5W^000Fj9W^000G>E[^000GJE[^000H=m[^"
+    "000HZa;^000Ha^;^000IUQc[000IZAS^000In:K^000J6=_^000JB9g^000JRVW^000JUVG^"
+    "000K29S^000K6MK^000KF>G^000KR67^000L2IS^000LN5_^000LafG^000MB]C^000Mf63^"
+    "000N>5[^000NZIW^000O9BG^000OUn7^000OZAS^000OnBS^000P6>K^000PBN_^000QEj?^"
+    "000Q^RW^000R1a[^000RFJ[^000Rb1K^000S6FW^000SJIO^000Saic^000TRRc^000Tn1O^"
+    "000UVRK^000Un>S^000VJEG^000VjBW^000W^NW^000Wf9W^000XEi_^000XMmo^000Y6Zc^"
+    "000YVIS^000Yj2;^000Z6JW^000ZQQg^000[2MO^000[En?^000[nEC^000p^1g^000pj6C^"
+    "000]61k^000]J=S^000]^FS^000^:1o^000^NFK^000^Zjo^000_5ag^000_MnG^000_VB;^"
+    "000_iN?^000`VQS^000`^=_^000`fZk^000`j6O^000aFMC^000aNNS^000b:EW^000bB6K^"
+    "000bF1g^000b]i[^000cBVW^000cQm_^000c^6?^000d22K^000dMQk^000dnIG^000e5V7^"
+    "000e::?^000eNJg^000eie_^000fJ9W^000ff:S^000fiYS^000gF=_^000gZ^o^000g^MS^"
+    "000gf>c^000h:Y?^000hB6C^000hFE[^000i5Y_^000iRMO^000j2fg^000j66g^000jNe;^"
+    "000jRIK^000jf>;^000jn9[^000kMik^000kjIS^000knES^000l>6O^000lJJS^000mF9[^"
+    "000mYig^000o6IK^00101fO^0010R9_^0010f6O^00112RW^0011:V[^0011N6G^0011f>G^"
+    "0011mi[^0012=i[^0012IZGV0012VNW^0013=jK^0013Eb3^0013ZMS^0013^QO^0013nJ[^"
+    "0014NEW^0014Z1_^0015JFW^0015j=C^00161]W^00166AW^0016f6?^0017:JO^0017Am[^"
+    "0017NMS^0017efG^0018Vg3^0018]f3^0018bfk^0019>MK^0019J23^0019n:K^001:NQC^"
+    "001:b2G^001:nV[^001;N=S^001;j=[^001<>1g^001<IjK^001<QB3P001<f5[^001=:VW^"
+    "001=AnG^001=Z1o^001=n:G^001>:V[^001>mjC^001?1mo^001?J6c^001?VRS^001?mj3^"
+    "001@F6G^001@aiK^001AVIS^001A^:G^001Aaj;^001B>5g^001C2AS^001C9n7^001C>5k^"
+    "001CYiW^001CmbK^001D6RS^001DNMC^001DV27^001Dj2K^001DnF_^001EJ5S^001EfAS^"
+    "001FE^O^001Fb5[^001Fm^KY001G:Ig^001GB5[^001GVAW^001G]^;^001GbUK^001HQVC^"
+    "001HVMS^001I2a?^001INNS^001ImfC^001J2ES^001JAn?^001JNAg^001JjRW^001JmR;["
+    "001KJAS^001K^:O^001Lb9S^001M9f?^001MF:O^001MVYG^001N=mc^001NR9c^001NVY?^"
+    "001OMfO^001On5k^001P29[^001PB>S^001PNVW^001PZNS^001PjJ[^001Q]V3^001R2NW^"
+    "001RFEO^001RZ^g^001R^:S^001S:9C^001SNBW^001Sie_^001T5m[^001TjR[^001U=^K^"
+    "001UF=K^001VB>K^001Vb=O^001WB6S^001X2Zc^001X>1c^001X]mW^001Xf1o^001YNJS^"
+    "001YnQC^001ZB2?^001ZijC^001[F=[^001[Yj3^001[f>O^001pF5O^001pZFO^001]61g^"
+    "001]J:3^001]aiS^001^22C^001^R27^001^fRg^001_2jk^001_9f7^001_enC^001`AMo^"
+    "001`J2O^001`jES^001a6MS^001a>:K^001aB6G^001aZEO^001afN[^001bNES^001bZ:C^"
+    "001bmfO^001cJ>W^001cVV_^001cjEG^001d21c^001d66?^001dJ:K^001de]g^001eFEO^"
+    "001eR2C^001eb>S^001eejg^001fB9W^001fZUK^001f^=W^001g>:O^001gB=C^001g^5_^"
+    "001h25W^001hNa3^001hZ1o^001iIYc^001iNAS^001ijA[^001jJ6[^001jQio^001jjIK^"
+    "001k::C^001kF5o^001kfA_^001lBMS^001lV2O^001m6aC^001m=^C^001n21g^001nNEW^"
+    "001o1Uo^001oJ1g^001oNAO^001obJK^0020emo^00219jW^0021RV[^0021n9O^0022:6O^"
+    "0022V5O^0022jFW^0023Uf;^00242IW^0024FN_^0024N2?^0024emW^0025b:?^0026>5K^"
+    "0026bBO^0027:>_^0027RJS^0027Z1S^00289f?^0028En3^0028Z9W^0028jbo^0029JEW^"
+    "0029^27^002:25[^002:EjC^002:fQO^002;9nC^002;B2S^002;FNW^002;amK^002<6BS^"
+    "002<V1g^002<^RW^002<b>7^002=>=K^002=RBK^002=mmo^002>FBO^002>Nfk^002>i^;^"
+    "002?AnG^002?JM[^002?]ZO^002@JUK^002@RIW^002@^6K^002A:EC^002AnIS^002B6>K^"
+    "002B9mk^002BV1W^002BjBW^002C6JS^002CF=O^002CR5k^002Cn=o^002DEV?^002DbMC^"
+    "002Dn6C^002EBN_^002EIf?^002E^5S^002F>AW^002FZ>K^002F]Ic^002GN[3^002GRMS^"
+    "002GnUG^002H62C^002H:Ic^002HiF3^002HnMS^002IJIO^002IR=W^002IfRS^002IinS^"
+    "002JFU?^002JZ:?^002Jb9g^002KAZ7^002KV>;^002K^ES^002KbES^002L6BW^002LB6O^"
+    "002L]a[^002M:Ac^002MMmg^002N:EO^002Nj1c^002Nna7^002P>6K^002PEmk^002PZJg^"
+    "002PfRS^002PnRW^002Q:i7^002QZRW^002R5e[^002RJNW^002S1bC^002SNES^002SRa?^"
+    "002SfF[^002TBAW^002U>FW^002U^9K^002VRRS^002VZ6K^002W:=S^002WYfK^002XJk3^"
+    "002Y29[^002Y>63^002Yf>K^002ZBMG^002ZIf?^002ZV2G^002ZbZ_^002[>2K^002[VFc^"
+    "002[^9[^002p1mk^002p:NO^002p^MK^002pnRW^002]B1k^002]Mmo^002]b6G^002^ajC^"
+    "002^f1o^002^jIW^002_>Fk^002_JZ_^002`:6G^002`UYS^002`aN;^002aBIW^002aJIS^"
+    "002aV2K^002ainW^002b29[^002b>a7^002bfAS^002bmjC^002c25g^002cb6[^002dBIC^"
+    "002dIn3^002dN:;^002d^>S^002dbB[^002e=ag^002eZEO^002f:FW^002f=JG^002fV1S^"
+    "002g69W^002gVQS^002hEZ3[002hJMS^002hRFS^002hfe3^002iFJS^002iaeo^002ifAS^"
+    "002j66G^002jBAc^002j^VW^002jaN;]002k>IS^002kR>K^002kZ23^002l9^C^002lZEW^"
+    "002lmfC^002mJUK^002nF1c^002nJUG^002oEnO^002ob1g^002of=_^00306BW^0030BVW^"
+    "0030NFS^0030bUC^0031>Ac^0031QjK^0031fRW^0032Nfo^0032R:S^0032Ym[^0032nM?^"
+    "0033BBS^0033J1c^0033j2S^0033mi_^0034^R_^0035:9S^0035Ej;^00365j;^0036VAK^"
+    "0036b9c^003762S^0037RIS^0037fV[^00381m_^0038Qi[^0038Z1o^0039BN[^0039bMS^"
+    "003:62?^003:^6?^003;:=c^003;Qj;^003;^>S^003<:AK^003<N6O^003<j1g^003=6:?^"
+    "003=f>G^003>F23^003>ZJ[^003>fjk^003?Amk^003?YjC^003@5N;^003@^A[^003@jEW^"
+    "003A2^k^003A6:K^003ARMK^003BBIS^003BN:?^003Bib7^003CAjW^003CJ^_^003C^AK^"
+    "003Ceeo^003Cj67^003D>:O^003DYUo^003E:IK^003EF2;^003EVBS^003EZ>k^003F65S^"
+    "003FV9W^003G22S^003G5mG^003GR9[^003GZ2C^003GjQS^003HBa7^003HN9g^003IAY_^"
+    "003I^AS^003J>6O^003JZ9[^003J^IK^003K2>G^003K:>7^003KUfK^003KZ5W^003L6=O^"
+    "003L:EW^003LJ2O^003LVNW^003Lj]G^003M26S^003MR9G^003Memc^003MjAW^003N1f3^"
+    "003NFES^003NbJO^003NeVCY003Nif3^003OBES^003PYmg^003Q26_^003Q>NS^003QFR[^"
+    "003QU]g^003QnFS^003RIiO^003RbNW^003SI^7^003SjQK^003T:N[^003TZ9[^003UVBW^"
+    "003V6=G^003W2>C^003WFFO^003WMmW^003WmjC^003Xbg3^003Xiao^003Xn^c^003YJIO^"
+    "003YR27^003Z::K^003ZZMG^003Zn2C^003[:RW^003[UjK^003[jNS^003pJ1c^003pRJS^"
+    "003p^2W^003]2IS^003]FJO^003]b1o^003^:B;^003^FV[^003^b2?^003_5nC^003_=mk^"
+    "003_Qj_^003`>IW^003`FIG^003`R6G^003`n9G^003aVF?^003abMS^003aj2O^003amj7^"
+    "003bJ5c^003b^Jc^003c>=O^003cEf;^003d9^C^003dVM?^003db:?^003e6>O^003e:Rg^"
+    "003eR9S^003f2AS^003fQZG^003fn9_^003gFMS^003gbIO^003gj6C^003gnIS^003hJ9[^"
+    "003h]Qo^003hbMS^003hinO^003i>QK^003iZ>W^003i^2[^003j:AO^003jNBK^003jV9g^"
+    "003k66S^003k9Mkp003kVES^003kj:K^003l6FS^003lQeg^003m2=W^003mAf;^003mN>O^"
+    "003mbQO^003n^5g^003nba;^00002Ao^06@e6EO^0;fpjMS^0<CdFNS^0Khe9Yk^0UH<nV[^"
+    "0W_X6MW^0ip42NS^0memJRW^19A4eUk^1=RQUeS^1><TjRW^1@Y1V1_^1B`LZZg^1E7g^MW^"
+    "1J6?MZ?^1QP_N9W^1QTeBAO^1W4C^NS^1YnYBV_^1bLS6UC^1fYDQU_[208pBJW^22P7JYG^"
+    "23HFbMS^2=?_RES^2?GRUEoZ2DLSFNW^2FpmJJS^2K@oAQo^2PCFA][^2T1T=]kZ2Y[g>:S^"
+    "2Z[;>QK^2Z_A62O^2]Pkn>S^2_hG6a?^2b9a2=O^2e<INV[^2jWZf^o^2kVnjFc^31dc2RS^"
+    "335T^=S^33JWNMW^34aJA^?Z3;SNRNW^3=[Uj1W^3FJ;Eio^3Ji;Z:S^3M@VbQO^3Tl4>IO^"
+    "3U0YII_R3ZHI9n3^3_=2^NW^3k3eV5O^3kD<e]g^46>OJNS^46H69Q_R48AKF>K^4:XfJIW^"
+    "4<@0R6;^4BDCjMO^4Cc;NUO^4LUBJFK^4M]9UVSU4XL5BAO^4akM22G^4eYZnBK^4h166QS^"
+    "4oa8]N3T599n1f7^59mR2R[^5CLifNS^5EdDn5O^5J5a]iO^5M<AYf3^5OCp]nO^5S1jZ6K^"
+    "5UIEbMW^5]9HIB3Y5^3oR=W^5^85FEW^5fQiFJS^5noc>a7^61aKnMW^62cVBE[^63<TV5S^"
+    "67M]2>S^6884ZNW^6:lWBVW^6<[lI^G^6?3GRIW^6?kVfQS^6@J:F:K^6BaUNQS^6JQX5MgU"
+    "6OY0V5[^6SlJ]QoU6[OcRMS^6`TdB9S^6ePDEJ3R6g>KF>7^6gBQ:2C^6j4<5^G^6lKW:UO^"
+    "6mbJ1bC^6n]169[^71_YRNS^77:jnVg^77eBVMO^77igaMcV78:?1jW^78>DfJK^7=1@B=[^"
+    "7?Xdb9K^7ADZI=_^7H6^VNW^7I62YjG^7Mm3n9S^7PTXNA[^7RhT2V[^7U]6VVW^7VVanVW^"
+    "7WLK]Z7^7YcffQS^7pCFYJ3P7ci?6>C^7e=RBMS^7eB7IN3Y7jIOnQK^7k`BbFO^87gLj9W^"
+    "8:lEBEc^8;ECZ9O^8@@c]R7U8C5FBVW^8Dd[IbG^8G<6RMS^8Hc@V:K^8Wa_Z=_^8bWjBJK^"
+    "8h]SB1W^8jn7RIO^92<k5fK^94TF>IW^99hHVNO^9<?cZUO^9E9oBAc^9ME>6ES^9P09jNS^"
+    "9V5bn=[^9VY1bAG^9_U:a^K^9alUfQS^:;S3BAO^:=HIVRS^:@E0fNO^:D0m6bo^:LNfnQS^"
+    ":LmJI^G^:ODeRUO^:^d9QbCp:gB3JIO^:j`YBbg^;3a[J>O^;3ea>:3^;:EZ5R7^;;@A>9[^"
+    ";<]5>QO^;C^;2J[^;D]O5Uk^;DaTjBK^;L<4jQ3^;TYn^FW^;UYBanG^;X8hnZ_^;ZPD2=[^"
+    ";pcIFAc^;pnn6VW^;]7hRIS^;c:21V?Y;g]iaZ7^;j5DjQS^;nd;5jK^<0LO>BO^<1=ARFG^"
+    "<AHBf1k^<A[RMZG^<DJ]25g^<EQ8VV[^<GhS^MK^<RWF6AO^<U69MZ;^<UFPZ:W^<WMTRYK^"
+    "=2iHBR[^=5@cJ9_^=7QGVMS^=:C0FVW^=>`;9Z3[=BNI5eg^=Ded>MS^=`AWnRS^=bY36AW^"
+    "=c<AiQ_Z=enBZ=_^=l8Je]_^=ofXa^7[>2>3j]C^>9F0VBG^>?XIRB[^>H6CF=W^>H:I>5W^"
+    ">JS<:Ak^>MYgZNS^>P1B^EW^>PT=>jo^>Y272AS^>YPZQYc^?3eCNAS^?7CiFRS^?;27BJS^"
+    "?@DkQnG^?@I1F9o^?Fhj=Qc^?PAK:>S^?Q@_:9K^?T6Oj:O^?XJeaag^?X_DnM?^?p;1bFS^"
+    "?a=>bJ[^?b<Rf:O^?i[8ZAW^?j0;JQS^@292NRS^@4A9eY_^@<o_Aek^@Pmm5mo^@R4H^JK^"
+    "@aYIQYc^@ai`a^?^@k8aFJS^@nfoB>G^A2eTN67^A?LXFJK^AD4W^E_^AGeF^1k^AO1Y=Qg^"
+    "AXQ0nFS^AZhL6MW^Aj0ENFO^Aldh2NO^B<IhiU_^B@[EZ=O^BB6SV1c^BE3VjRW^BEi@ZJW^"
+    "BH@[bUO^BTYSN9W^BT]YB=S^BZ=7^JO^B]7MBNW^BeUG:Y;^Bib8QYc^C3APF6O^C5XkN]C^"
+    "C6Q:bMO^C7jY^:O^CGUGJNS^CIeaNR_^CIigBNO^CN6[jUO^CQ0@21_^CSL:AY_ZCW:H=]g]"
+    "Cpd[>>O^C]coBA[^C]h566O^C^MCIYOVC`Y`2>S^Cc1;6e?^CeBU2AS^ChE=NRS^Cm`Nj^g^"
+    "Cn_bjFc^D4mW2NS^D6>H^ES^D7j>E^K^D>pBRRW^DDRWie_^DIRoEik^DN1oZ6?^DPIJbUK^"
+    "D]Q==n3^DbEf^JS^Dg4pn=g^DkQ]b>?^Dn<YV=W^DnM0eac^E;J?F6O^E=aZNQO^E?HdR6?^"
+    "ECLc9V?^EEM7nQO^EO^6JRS^E[TiB9W^EhbO26S^Ek9j:QO^EkK4=mo^FHm8n9W^FP@4:UO^"
+    "FRLP]jK^FV:^^6O^FXR9bMW^Fa<cR5C^Fa@iF1_^FiZ]JJO^G28W>Y;^G6EHZ5W^G:VQ2FW^"
+    "G?d`Ib?[GAM>ZIO^GC4JjMW^GCRnF6S^GEjINQO^GUI]M^G^GVLI6J[^G]gWF=[^Gc]XB9W^"
+    "GjG?F67^GjKE:67^Gm8PnAW^Gm=05^;^GoTK>IS^H0k>1bC^H1ee:9[^H3BY:QS^H:C^nR_^"
+    "H;C31^K^H;G8f>S^HBaXbEG^HK?RZNS^HL>f]jC^HQ5gnEO^HS]LNEW^HV6?MaopHXHc:YK^"
+    "HZU?aZ;^H`ZhfIS^Hg236NS^I;0@nAS^I<2=J9_^I>N7ZQG^I@K2InO^IGmOIV;^IJDjRIW^"
+    "IKl4V>O^IkfGFAS^J0lCf6S^J5E_5Z;^JPiWRJO^JS8mnNO^JY>VnEW^JYaebAO^Jb]naZ?^"
+    "Je5IjMS^Jmd9N=c^JnN`Qe_^K6B3BFK^K>[gBAS^K>_m:9W^K@Q=VNO^KCMdjNW^KG9a:g3^"
+    "KOWZnMS^KP6>MZ;^KRMYRUO^KW05B1S^Kfc;n9c^KjJgJEO^Kk4j]N3RKlRZMYoWKmiMBV_^"
+    "Ko1DRVW^L6jON6G^L=NN5Qo^L>I5>5[^L?ei>UO^LFfo6>W^LGfC5Yc^LGjHjBK^LKnGQZ3Y"
+    "LODhjQ7^LWbb^FW^LXb6anG^L[ApnNS^L]iAN=k^L`@pVIW^L`U_FMW^Lh^VJJ_^Ljf]aZ3^"
+    "Lm>8jMW^M3UC>6O^M4F5V>O^MANFN:O^MFJV=Z3YMGSQ25k^MHYlZV[^MI12iYcWMX:NFEW^"
+    "MX>mMV3^MXOD^6W^Ma^EBFK^MiK8En3^N62<BRS^N=?pUN3PNAho=b3pNEW=9V3[NO6TjFK^"
+    "NO^ZjAS^NRnIVJS^NcJKnNS^Neag6Ac^Ng4:b>?^NgTEFRW^NoA>eak]O2oLaYgYO:GIR1g^"
+    "O<NdVV_^OK?7J9W^OMn95M_QOPb[ZNO^OS]1>bg^Op:k2EO^OpYNQ]c^O`GpM]oZOnP=Z2O^"
+    "P2V1]jK^P6n7N1c^P95jQV7TP>:kFRW^PH1IJM[^PJ1^=YW^PSJ?:BO^PTIS>AS^PTMY2:O^"
+    "PW?Cn:G^P[78VJS^P[h8nIG^P_Cea^KZPaB<RAW^PdF2fVg^PeEFf:S^PkS:nNS^PlclZ9W^"
+    "Q5AfNRW^Q7Imia[^Q@8SAmk^QB22YMgpQBK72ES^QCaifVW^QDWSV6K^QT6a:23^Qdb=QaW^"
+    "Qe2TaR7^R1ocBBO^R5nHN63^R<2[jIS^RB8DjQO^RR:M=][^R[Ye2:O^R_H2n:K^RcEBNRW^"
+    "RiJkRMS^RlPCf2K^S?Rpi][^SC<K^9g^SCd9ZIK^SI24ZBW^SKIObUO^SWbGN9W^SWfMB9W^"
+    "SYmhFJ_^S`@AFRW^Sh^;:a7^SljlU][^T6JDF6O^T8a_NQS^T9YnfIS^T;3M]b;^TJ^;JJO^"
+    "TLnUN6W^TMZbY^CZTVTnAagpTZC<=a[^T_mO>:S^T`lcBAc^Ta0i62O^TcbT26O^Tf9o:UK^"
+    "ThKI69S^TkN1RRW^U0iBj^o^U1hVnBc^U1lpb:W^U86K6FO^U9G<^=S^U;32EfK^U;_o^:;^"
+    "UAe6VNW^UG[Kii[^UJC0JEK^UQ:c^2K^USR>bQS^U`Z1=mo^Ub1BQjG^UeNZbFO^Uf4bZFS^"
+    "V1EMZ9_^V1Udim[^V53[Um_^V8]JIik^V<P7MfO]V>S3F6S^V@jNNQS^VBQXR:?^V^]]FAS^"
+    "V_BiNRW^VkkC26S^VnB^:QS^Voc7]R7VW@?:6FK^WDSOjNW^WI^QjRW^WL5lnAW^WPGI^1_^"
+    "WSMi^1g^WUUDa]o^WYCR^:S^W[ZmfUO^WcK0MM[SWc]QVF?^X5AK>QC^X5EQ2=S^X9N<ZAW^"
+    "X=_E6J_^XF=>jMS^XF[bInO^XI3=NUO^XJSW1Eo^XNPfVNS^XYQeQjCpXpXERF?^Xa0KF5S^"
+    "XdO1>Zc^XffLFEO^XmP3J6C^XmT9=b;^Y4421bG^Y4=XaFGRY4nY:5[^Y6KM:QS^Y=LRn>W^"
+    "Y>;OaMoSY>Kg1V?^YDoe]V3ZYEjLfI;^YNHFZJS^YOGZ]nC^YQg@jJO^YT>p2IO^YVf@NES^"
+    "Y[8ReeS^Y]^3aV7^YaLA^:O^YccpfQS^Yj:g:BO^Z>94nAW^Z??PVJK^ZAVkZ]?^ZK6CMV;]"
+    "ZO4hZF[^ZQ;lRMW^Zno;FEO^[8NS9R7^[<FGaYgW[CU29ek^[pGK2QO^[efbaQo^[mRFAe[^"
+    "p9JgF6O^pAd[F=[^pAha:9_^pCZ1ZJO^pI_Z^A[^pJBU:fo^pR`NnIW^pS?2MQo^ppWgaio^"
+    "pjY7Q]S^pmS[J5W^]12ABV[^]77jFE[^]:3CN6G^]:7IB5_^]@WB99c^]AQiAmc^]H3d2YO^"
+    "]Ioc6FS^]Jo79a[^]RMpjU3^]T9RQU_X]ZkVbFW^][jjb2G^]^JPnNS^]cIPVEW^]c^SFQS^"
+    "]kgJJFS^]moQeQo^^5ZoBJO^^6^7>63^^7NiVFK^^JpE21k^^Kb`ZRW^^OB31M_Q^[GaMQo^"
+    "^[X8]jO^^dg9BJO^^lSlIn3^_2X?bAW^_6FMbBO^_9;0FV[^_H`19Mk^_R?HnR[^_TVd2MW^"
+    "_fS?nRW^`68@eQkp`?WXVVc^`Ao3^MW^`En7J:K^`NGkJ1W^`NL1>9W^`S9hnBK^`SkOZRW^"
+    "`VBjbIS^`VeeBZ_^`_C_6MK^`_bBV1O^`cPPQN7Z`lohBFO^`oGCJMW^a0?RbIW^a:6kR=S^"
+    "a<8]J2O^aAC_FV[^aCT9JZ_^aFZYJ=g^aGe3fUO^aM:R=]W^aPh`9V3paVS3::S^aWRG>MG^"
+    "aWVM2:K^aYRN>RS^aZH7n>K^ap_S6]?^a_0m2=W^agNffZo^ahN:jBW^an[o2VW^aol`ZIS^"
+    "b1XVAZ?Xb8JZRRW^b:Raj1S^bCAGEf3^bFj]fZ[^bG`GZ>O^bW?U9n7^bp4>ZNS^bgk1UiO^"
+    "bh;HeYo^c58WB>O^c7P2JI[^c97<N67^c;Gg6MW^cFWkaV3YcUCAAeW^c^bY2:K^cbPfn>O^"
+    "cdhB6MW^ce9L9j;^d1Yp5nK^dB[Pia[^dFlmZ9O^dGW0mN;TdL:h^:S^dOi6Z6K^dQVobBK^"
+    "dR@QbMW^dRQGNFW^dSfF>RW^dYko>ES^dZ0TIZKpdZk;R5W^dZoAF=S^dcI5FJS^dkfo:a7^"
+    "e03`UiW^e9S8J2O^e;jSNMW^e<bbfQS^e?XaJMW^eE@pZNS^eP7IN6S^eY]bEYcVe]L0B1O^"
+    "e^0Lb:K^ec6CB2S^ed5WFAg^ed9]:6G^efkH1fO^eiBc:UO^ejYUmf?^ekT=69W^eo6VbRW^"
+    "f426j^k^f4pTVF7^f51Jn:_^f<P0b9O^fDmjVNS^fEm>YjG^fJd?n1O^fMKdJE[^fOdWImo^"
+    "fSMmnVW^fTCW]bC^fV[2fQS^f``K6F;^fcbe=mk^fhWNb:O^g4^Xj5W^g8<OV5O^gA[gIjO^"
+    "gD3BRQO^gEZLV:G^g_O6>JO^geT_B1W^go475jO^h1KR:QS^hBVGMUcYhLgEjJO^hO87mjG^"
+    "hO>a2A[^hRlnn=_^hpLF]fO^h^cafUO^h_4WV2O^hdWUNFO^hgRQJAg^i0o_B>S^i8J?BIK^"
+    "i:?UVR?^i<W0Z=W^i@h96^g^iIF2jMS^iIdVIfK^iL<1RYO^id9?F1S^igWe>^c^iio@FEO^"
+    "j0XgJ6C^j0pm>1k^j7<f5^O^j87M9m_^j9TA>YK^j;:5VFO^j@UG2FW^jAT[5J;^jAX`j:G^"
+    "jI3@fM3^jJ_6MaWpjQQ:ZJW^jRPN]jG^jU04jV[^jWGP2EO^jYo4RIS^jdU5ajO^jflPfUO^"
+    "jmC[:BG^kAAhn9_^kBHDVNS^kB_JiN;[kD__^YG^kI2J:6G^kN?7M^3pkQmEInW^kR=pZB[^"
+    "kTD`RMW^kZ8T:NS^kc[[QN3PkeOUb1W^ko`TBR[^l27oFMO^l;WG9]g^lA]0>QS^lSJPRUO^"
+    "l]8cjJO^l_P?2IO^l`3Mei[^lhoVeUg^lkWgYfG^lmC0jJO^m0oAQM[Vm45aQmk^m6=<RFK^"
+    "m<S[FJO^m=RoJ6O^mCnC5UkTmDmOF=W^mFbeZNO^mI_LjNO^mJQ3VNS^mLhN^EW^mMKI:jo^"
+    "mUiC2ES^mVGfMYg^mc?AZNS^mfe6ZQK^mlDIZ1g^n0pONAW^n4;5FV[^n7iCBJK^n:@^JA[^"
+    "n=<7N2G^n=@=B=_^nC`69Uk^nDZ]Amg^nH3PBFW^nM8W6BS^nN7k9mO^nN<0n:S^nUVPnQ?^"
+    "nXa>5iW]n^4JbBW^n_3^f6G^naSE2JS^nfRDVEW^no0>NJO^o18EeYk^o9fkAn3^o:W]VFO^"
+    "oMe961o^oNkTZRW^o^PUQUo^o^`labG^o`h0V=W^ogomBJO^oop`J23^000022C^05eXn:[^"
+    "08=46QO^0<CdFNO^0Khe9Yk[0S;`FQS^0SXgfNO^0UH<nJS^0V0BjMO^0W_X6MW^0c=hZ6W^"
+    "0eUCbQO^0g5]EVGX0hjMFES^0ip42NS^19A4eYoZ1@Y1V5c^1A17Nno^1B`LZFS^1CHRVAW^"
+    "1E7g^MS^1LgjI^GY1PV8EnS^1QTeBAW^1RmSNMO^1YnYBFS^1aQl1FC^208pB>K^20`bBA_^"
+    "22P7JES^2:@:1ZCY2=nH1nK^2@Ec6MO^2K@oAb3]2O3bJVW^2Y[g>:S^2Z[;>A[^2Z_A62C^"
+    "2]PknBO^2^91n]C^2_hG6UK^2b9a2=K^2e<INZ[^2gXI]RCZ2jWZfc3^2kVnj2?^2m^2bEW^"
+    "317aRVW^335T^AS^3;SNRV[^3DnQ5aO^3FJ;F9c^3Ji;Z>O^3KQAVIW^3U0YIRK[3ZHI:23^"
+    "3k3eV5[^3kD<e]g^48AKF>O^48iQBaG^4<@0R67^4BHi5JG[4Kc[^5[^4XL5B1[^4`<7jRS^"
+    "4eYZn>O^4fA`nQW^4h166IW^4oa8]V7^599n1ic^59@PRZ_^5M<AYf3^5MTGVZ[^5S1jZFS^"
+    "5]9HI>K^5^85FES^5fT;1i[]5n5<5ZOV5noc>]?^63<TUm[^6:lWBRS^6<[lJ5c^6@J:F>O^"
+    "6BaUNMS^6JQX5R;[6SlJ]R7S6`TdB5[^6gBQ9j;^6hDfjRS^6n]169W^709e6EW^77:jnVg^"
+    "77igaR;p78:?1fK^78>DfFO^7:ABjAW^7:gJbES^7?Xdb=G^7ADZIMk^7AI?RNO^7H6^VNW^"
+    "7Mm3n1_^7PTXNAW^7RmKJEW^7U]6VRS^7WLK]j3^7eB7IR7]7npj5a_^7naO>NS^87gLj9S^"
+    "8:lEB1k^8;ECZ9[^8C5FBVW^8Dd[IbC^8Hc@V:G^8RZG5V3[8p59]VOU8p9^j^c^8h]SB5[^"
+    "90MUnVW^92<k5bO^94TF>M[^9@2Va^3[9Ec`VRW^9IMIIa[^9IQnVNW^9YZP>UO^9]eeVZ[^"
+    "9_U:aZK^9alUfI[^9dPZfNS^9ipXQeS^9mJfMYo[:6j>>FS^:9AYFYG^::XL9ZGV:;S3B=W^"
+    ":;W965[^:D0m6NW^:K>5BVW^:Lci^]G^:LmJIfK^:ODeREW^:W4h9mS^:dBMjJ[^:gB3J5W^"
+    ":j`YBRW^;3ea>63^;8VDnVW^;:EZ5^C^;;@A>9W^;<]5>IW^;=jGEeS[;C^;2F[^;DM7eiS^"
+    ";D]O5Uk^;DaTjBO^;H;Eaj;^;L<4jTo^;QZ]VJW^;T28^IS^;TYn^JW^;]7hRIS^;enTZVW^"
+    ";g]iabC^;j5DjI[^;lYIfVW^<0LO>>G^<1eGQmO^<;D_BJS^<?2mBJS^<A[RMVO^<DJ]25c^"
+    "<EQ8VVW^<TlX^]G^<U69Mb?p<UFPZ:S^<WMTRIW^<_=W=mS^<hpnn6S^<lK<j>O^=2iHBVW^"
+    "=BNI5fK]=F36FAS^=LUfeiW^=V5>YjO^=XLYbMW^=`AWnNO^=enBYmo^=l8Je]k[>9n6QmW^"
+    ">?XIR2K^>CMNEfW^>EdiJQO^>G;pAfG^>H:I>9W^>JS<:=g^>MYgZVW^>PT=>Z_^>YPZQYo["
+    ">Z]lYNGU>gFF=a[^>lF]^B7^?0e]mnW^?3=96YK^?<C=BFO^?@DkR2;^?@I1Emg^?Fhj=Uo]"
+    "?NTGZRS^?PAK::S^?Q@_:9W^?QDe2:?^?T^Uj9O^?X_DnQ;^?^=mYnW^?`UHbUO^?a=>bJ[^"
+    "?i[8ZEW^?nFOEJ3P@292NRW^@4A9eUk[@<1<RNS^@<o_Aao^@B6eR5[^@Bp1^VW^@KV=EbS^"
+    "@MmXNYK^@Pmm61o^@aYIQYo]@ai`a^?^@iDg2NW^@iIL:RS^@k8aFBG^@oO5>=W^A2eTN63^"
+    "A8nM1j[^A;Eh6QO^AO1Y=Yk[AVa[fZ[^AY96nI[^AZhL6MW^AfFpYjW^Ah^7bUO^B<IhiYkZ"
+    "BD9kRfg^BEi@Z>K^BFQFZEW^BH@[bMS^BL?_NJO^BS^lEfW^BT]YBAS^BV6GNQK^BdZ`1RGQ"
+    "Bib8Q]gZC1R;>NO^C3APF:K^C5XkNQO^CA7<1bO^CCNW:MO^CHfMJ>K^CLlAIag^CQ0@227^"
+    "CW:H=^3ZCpd[>>O^C]coB9[^C]h562K^C`Y`2:K^CaAene;^Cc1;6QS^CeBU2AO^Cja=aV?W"
+    "Cm`Nj^g^CnOK]^K^Cn_bj:K^D0ffbMS^D6>H^ES^D>pBRV[^DIRoF1c^DL>5J:W^DLBZRNS^"
+    "DN1oZ2?^DNZ5ZUK^DPIJbIW^DX9MIRCVD]Q==mo^Dg4pn9o^DnM0ea_^DoDPeN3PE;J?F>O^"
+    "E<2EFQS^E=aZNMS^E?HdR6?^ECLc9Z3^EEM7nMO^EEQ]5NKVER_BfNW^E[TiB9_^EcDkjNO^"
+    "EhbO26K^EiJTnMW^Ek9j:EW^EkK4=b3^F2ilaN?WFP];VVW^FV:^^>O^FVbdZIW^FXR9bIW^"
+    "F`B<MR?^Fa<cQm[^Fa@iF5c^G28W>UG^G2<]29_^G6EHZAS^G>5KBRS^GCRnF:K^GEjINIW^"
+    "GMZL5V3pGVLI6BK^GYOQQ]gZGYQ?1QWVGc]XB1c^GjKE9n7^GkMZnNO^Gm8Pn5_^H0k>1fG^"
+    "H1ee:9[^H3BY:QO^H:C^nRc^H;2[aQopH;C31^G^H;G8fBK^H=J6j9W^HBaXbEC^HDR3VJO^"
+    "HK?RZNW^HL86:RW^HQ5gnAS^HS]LNIW^HV6?NA_^HXejVRS^HZU?aZ7ZH`ZhfIW^HhJkMYo^"
+    "I1jC>NS^I;0@nAO^I<2=J6?^I>N7Z=W^IB2djUS^IF>:BVW^IGmOIZCYIKl4V>O^IUc;9Yo^"
+    "I_BRj^c^IaYn2IW^IbZVBRS^J3VInZ[^J5E_5VCZJC;JaYgpJLZbVRW^JO2=^MS^J`nYZZ[^"
+    "Jb]naZ;^Jgc5Uj7VJleLQi[^Jmd9NA_^K0SZM]gpK6B3BJO^K:32BJW^K<JMFYC^K>_m:=W^"
+    "KA^O^fg^KG9a:R_^KNFiBVW^KP6>MZ?pKZ=p>1W^KgKAjNW^Kib]2QO^KmiMBNO^L6nUAik^"
+    "L;_8nZ[^L=NN5V;^L>I5>5[^LDaIBQO^LFfo6>W^LGUkj5S^LGfC5Ug^LGjHj:K^LKnGQb?X"
+    "LODhjU3^LTcQVJW^LW:l^IS^LWbb^FW^L^fJ>MW^L`@pVIS^Lh^VJJc^Li7HZRS^Ljf]a^?]"
+    "Lm>8jIW^M4n;R=O^MANFN:K^MB;aBBW^MDS<JQK^MGSQ25g^MHYlZRS^MX:NF5_^MX>mM^7^"
+    "MXOD^6W^MbFK>9O^MiK8En7^MoT0nBW^N1kL2MS^N;HhNNO^NEW=9ZCZNLj8FQO^NO^Zj9W^"
+    "NY>2YbK[N[UMbQS^Npl@VBO^N_C[^IW^NcJKnRS^Ng4:b>7^O81ibAO^O8j=FYK^O:GIR1k^"
+    "O<NdVV[^O=6jV9W^OBeCJJS^OFVBEZK^OHm]NMS^OJDPAjO^OKC=>9W^ONA_fNO^OS]1>NW^"
+    "Op?0imW^O]f`YVK^OjO:>9W^OnP=Z>[^P2V1]m_^P3nR1^K^P6Em:IW^P>:kFJO^P?L1FJK^"
+    "PJ1^=UopPSJ?:BS^PTIS>9W^PTMY26O^PWgIjEK^P[h8nMC^PaFa]^S^Pc^<bUS^PdF2fRk^"
+    "PlclZ=S^Q5AfNRW^Q7Imi]gZQB22YM_VQE?YVEW^QN_1EZO^QQ6LNQO^QT6a:5o^Qdb=Qao^"
+    "Qe2TaR3^QlR@>NS^R2WiBIS^R5nHN5o^R<7A1ZO^R>Np:QO^RR:M=Yc]RYjOfbc^R`08jEW^"
+    "R`UE6^_^RiOP]^O^RjNQnR[^RkfkfQS^RlPCej?^S3LnJIO^S<LTiZ7WS?Rpiac]SC<K^5g^"
+    "SGB_Rbc^SI24Z>O^SVg`IVO^SWfMBAS^SY?;NQO^SfJefRS^SgcT1VGTSh^;:YG^Shb@mm[^"
+    "SljlUac]T4Zo>VW^T;3M]eo^TD@01bK^TFWK:MO^TKoAJBO^TZC<=ec^T_mO>6S^Ta0i62O^"
+    "Tb3>jNO^TcbT22G^TdJYnQO^Tf9o:IW^ThKI69S^U0iBj_3^U1X?]ZG^U1hVn>S^U1lpbF[^"
+    "U3oZfMO^U9G<^=S^UAe6VNW^UJC0JEG^UOKNRRS^UQ:c^2O^USR>bEW^U]YpRYG^U_0OI^?]"
+    "U`Z1=mk^UaGjREW^Ub1BQb;^V1UdimW^V53[Uic^V8]JJ1o^V<c^>VW^V>S3F6S^V@jNNIW^"
+    "VBQXR:?^VHZQ5R;VVUh6fFO^V^]]FA[^Vj;mjVW^VkkC22S^VnB^:IW^W62`aV?YWL5lnIS^"
+    "WSMi^6;^WSeoZNO^WWT=VRS^WYCR^2O^W[ZmfIS^WcK0MJ;ZWdI]J=_^WlgW>>O^X4Fd9VGT"
+    "X5AK>QO^X5EQ2AO^X9N<Z9W^XF[bJ6O^XI3=NE[^XJSW1Ug[XPc@9UopXpXERF?^XdO1>no^"
+    "XffLFIO^XmT9=^;^Y4421jG^Y4nY:5[^Y5AD:NW^Y6KM:MS^Y=LRn>W^Y>;OaUc]Y>Kg1Z7^"
+    "YEjLfM;^YGZgVJO^YNHFZNW^YT>p2=[^YVf@NIS^Y[n^ZNO^YccpfI[^YkS_MUg^Z537BNS^"
+    "Z>94nAS^ZAVkZMS^ZIFnFRS^ZK6CMR?WZO4hZB[^ZXko9][^ZbKFjZc^Zdbb2IW^ZlHdYQ_S"
+    "[6_=nVW^[8NS9R7[[CU2:>?^[FD>eYg^[OcVVJW^[R;1^MS^[d7MZRS^[efbaV3^[mRFA]o^"
+    "p3pNMY_^p9JgFFS^p=;fBN_^p?SAJYG^pAha:=[^pJBU:Vc^pQO]FNO^pRdTf5O^pS?2MR7]"
+    "pTLDUR?YppWgaik^pa4^9]cppjT5nFW^plkQ2QO^]12ABRW^]:7IAi[^]::2RIW^]@WB99k^"
+    "]AQiB1c^]AdTAJGR]CVc=m[^]H3d2QS^]Ioc6FW^]J^_jAW^]Jo79]c^]K3<n:K^]NLmea[^"
+    "]RMpjU3^]WlEVBW^]ZC`^QO^]ZkVbF[^]^JPnJO^]ao>>YO^]cIPVIS^]kgJJBW^]moQeQop"
+    "^2k1jNS^^6^7>1k^^7NiVNO^^86oVAW^^EDUB>W^^Gp0JUO^^JpE21k^^[GaMR;]^[X8]jO^"
+    "^dg9BNS^^eO?>EK^^lSlIn3^_2pdnBW^_54@6QO^_9;0FNS^_H`19R?p_R?HnNO^_RgNjAW^"
+    "_`54ZBW^_bLO^QO^_fS?nNO^`2nOJ:K^`68@eV3]`?WXVR[^`@?^V=o^`En7J>G^`IZW>Eg^"
+    "`MMDAnO^`NL1>=W^`Od_JQO^`VeeBRW^`cPPQV3Z`lohB:K^`mWnBAW^a77F1ZK]a=<o6IS^"
+    "aBTeFFO^aFZYJ1c^aM:R=]_^aPh`9V3ZaVS3:6O^aWRG>A[^aWVM26G^aXTCZ5[^a[0=jQK^"
+    "ap_S6YC^a_0m2A[^adOU]NCXagNffZk^an[o2RS^aol`ZIS^b8JZRV[^b:Raia[pb>@oeR?U"
+    "bG`GZ>K^bHHMVIS^bQgeINKZbW?U:23^bgk1Ue[^bh;HeYo^bkY?QZ;^bo[4>VW^c5`]BQK^"
+    "c97<N67^c?@51RC]cUCAAec^c]3CjVW^cbPfnFS^cc8lnUK^ce9L9f3^clXD]ZK^dB[Piig^"
+    "dJKSVZ[^dOi6Z>O^dRQGN:W^dZ0TIV;^dZoAFAS^dpGoREW^dkfo:]C^e03`V1[^e7cc>NS^"
+    "e@f3QE_QeGHd5VC]eI`?:MS^e]L0Am[^e^0LbBS^ec6CAnS^ed9]:6G^ee<2jRS^efkH1fK^"
+    "eiBc:MS^ekT=6=W^f426j^o^f4pTVF3^f4a3]VG^f51Jn:W^f78NfEW^f<P0b9K^fDmjVJW^"
+    "fEm>YnC^fJd?mi[^fMKdJEW^fOdWJ9_^fRTBVRS^fTCW]fK^fb9CIZG^fcbe=mk^fdP^RIW^"
+    "fkX[>FO^g4^Xj5S^g8<OUm[^g?lRBRS^gA[gIfK^gEZLV:G^gOQS5^7pgY0jfZc^g]Ua2VW^"
+    "glS;>2_^gmDajZ[^go475fG^h1KR:QW^h9;Te]cphO87n9[^hO>a2IW^hZ]1VRW^hpLF]jO^"
+    "h]YXfV[^h^cafIS^hfSdMMo^hgRQJEk^i0QB>QO^i3aJ>JS^i7Y>ebW]i8J?BIS^i<W0Z=_^"
+    "i@h96JS^iH5ABVW^iIdVIjK^iL<1RES^iSl49a_^ic80Z=[^igWe>^_^iio@F=W^j0pm=ic^"
+    "j4[jBR_^j7<f5fK^j87M:1[^j9TA>IS^j@UG2F[^jADCeac^jAT[5Io^jAX`j6G^jI3@fM3^"
+    "jNQiRBO^jQQ:ZNW^jWGP2A[^jYo4RIO^jdU5afK^jebGjNW^jflPfMW^jk[G6BS^jmC[:>;^"
+    "jnpSQa[^k8;kB:O^kAAhn9[^kBHDVJK^kD__^UG^kI7^nNO^kL<;UYgXkR=pZB[^kTD`RIW^"
+    "kp4c9eW^k_^Qn>7^keT:nBW^kgkV6EW^ko`TBNO^l27oF=[^l6OnZN[^l;WG9YoXlIM2eYW^"
+    "lRlJZB[^lUCe^MS^lch>BBS^lhoVeYkplkWgYb;^m45aR5o^m6eBQ]_^m<S[FJS^m@DZB:W^"
+    "mBp5J]C^mD2h=bKZmH07bNO^mJQ3VVW^mMKI:Zc^mQ@MnFS^mVGfMZ7pmWU8UVO[mXB5n6G^"
+    "md=R=][^mfe6ZMO^mlDIZ5_^mmpinB_^n04E6QO^n4;5FNO^n=@=B9_^n>X]ZBS^nC`69Qop"
+    "nDZ]B1c^nDmHAN3TnM8W6>S^nN7k9m[^nN<0n>O^nQUaeeW^nUVPnQ7^n[59Z:W^n]LTbUK^"
+    "n^4JbB[^nfRDVAS^no0>NNS^o18EeZ7]o:W]VJO^o;?cVE[^oHMIF:[^oJddJQO^oMe961k^"
+    "oNkTZNO^o^PUQYo[o^`labC^o`h0V5S^ogomBFO^ohX3BES^oop`J1o^00001J3P0200023P"
+    "06P00f3P0R000V3P1200023P13<00^3P13X00B3P17800f3P1;000j3P1R00023P1RT00b3P"
+    "22000R3P32000R3P3R000R3P5;000^3P@2000^3PB2000R3PP0001b3PP2000J3PP6400V3P"
+    "P6P00V3PP7800f3PP8X00R3PP900063PP;000f3PPR000V3PPX<00f3PPY000V3PQ0000Z3P"
+    "Q0T00V3PQ1<00F3PQ1X0123PQ2000F3PQ3<00b3PQ3X00B3PQ4P00f3PQ5800B3PQ6400^3P"
+    "Q7800Z3PQ9000B3PQ;000j3PQP000Z3PQPT00:3PQR000J3PQRT00b3PQTP00Z3PQVP00b3P"
+    "QZ<00f3PR200123PR8X00Z3PS0000B3PS1<0063PS1X00^3PS5800J3PS9000V3PSP000f3P"
+    "SPT00F3PSTP00V3PT6400^3PT6P00Z3PT9000Z3PU5800f3PU6400Z3PU6P00f3PU9000>3P"
+    "U;000^3PUV400Z3PW5800f3PW9000Z3PWT400b3PX8X00^3PX9000^3PXY000^3PY9000b3P"
+    "Z8X00Z3PZY000b3P[8X00f3P[9000f3P[X<00^3P]6400Z3P`2000^3P`6P00f3P`9000f3P"
+    "a2000j3Pa5800V3Pa9000j3PaPT00Z3Pb2000f3Pc0000b3Pc5800Z3PcP000Z3PcPT00f3P"
+    "cTP00f3Pe9000b3PgT400f3Ph8X00j3Ph:X00f3Pi1<00V3Pi5800f3Pi9000f3Pi:<00f3P"
+    "iZ<00f3Pj8X00Z3PkP000^3PkPT00f3Pl2000f3Pm1<00^3Pm2000b3PmP000f3PmR000j3P"
+    "o1<00b3PoP000J3P0a@00B3P0n@00b3P16P00^3P1<000j3P1C@00^3P1K`00^3P1O@00f3P"
+    "1`@00j3P1d@00f3P1o000^3P24000b3P26@00V3P2O@00R3P2Y@00>3P2_000f3P39@00j3P"
+    "3RP00f3P3]@00N3P3a000j3P48000F3P4=`00f3P4MP00^3P4l`00f3P55000^3P5WP00V3P"
+    "5c`00^3P5hP00J3P5l000f3P6SP00b3P6hP00b3P6h`00j3P6m`00f3P7IP00f3P7Q`00n3P"
+    "7iP00j3P7o@00^3P87P00J3P8:`00f3P8@P00^3P8DP00Z3P8[`00^3P8_@00f3P8n000j3P"
+    "9N000B3P9U@00j3P9pP00F3P:1`00b3P:2P00j3P:2`00f3P:MP00j3P;0@00F3P;2@00f3P"
+    ";C@00n3P<7@00b3P<E@00b3P<Q@00Z3P<V`00b3P=NP00f3P>pP00:3P?P000j3P?n000j3P"
+    "@5`00f3P@D@00Z3P@]P00J3P@j000j3PA1`00f3PA8P00B3PB0@00j3PB5P00b3PBC000N3P"
+    "BH`00j3PBK`00B3PBW@00n3PB^`0063PBfP00j3PCYP00j3PCcP00j3PCh000j3PDFP00f3P"
+    "DR@00b3PDZ`00B3PEE000^3PE`@00^3PEg`00b3PFV000j3PF]@00b3PG1000f3PG^`00f3P"
+    "HM@00F3PHV`00j3PH[`00F3PHi000F3PHoP00f3PI7P00^3PIH`00J3PIQP00^3PIWP00^3P"
+    "JQP00b3PK0P0123PK7`00b3PK?`00R3PKS`00f3PLPP00j3PLWP00f3PLY000N3PLgP00b3P"
+    "M:P00f3PMY000V3PN9@00j3PN;000f3PN?000f3PNSP00N3PN`P00f3PNb000N3PNmP00Z3P"
+    "OG000f3POI@00b3POW`00^3POi000j3PPL@00f3PPQP00f3PQB000b3PQf`00f3PRQ@00N3P"
+    "R`P00J3PRk@00f3PS9@00J3PSD`00f3PSIP0123PSR000f3PSZ`00f3PS]P00f3PSf@00f3P"
+    "T0`00j3PTN`00^3PU0P00Z3PU3P0123PU?000b3PUK`00^3PUi@00F3PVQP00b3PVV000j3P"
+    "V`000R3PWb@00f3PX0`00Z3PX=@00j3PX@P00n3PXE@00f3PXF@00b3PXW@00f3PXo@00f3P"
+    "YRP00^3PYb`00f3PZ9@00R3PZH`00f3P[9P00b3P[B`00^3P[G`00R3P[P`00Z3P[b`00J3P"
+    "p=P00f3PpJ000f3PpLP00b3Pp^000^3Ppg`00f3PplP00J3P]5000f3P]FP00f3P^=@00^3P"
+    "^BP00V3P^DP00^3P^O`00J3P^^@00Z3P_2000b3P_NP00f3P_T@00^3P_U@00b3P_o`00f3P"
+    "`J000^3Pa1@00n3Pb8000j3Pb:@0123Pb;P00j3Pbg`00f3Pc>@00f3Pc``00F3Pcj`00f3P"
+    "d;`0123PdA`00^3PdK00163PdO000b3PdV`00f3Pdb000J3Pe=000f3Pe@`00f3PeF`00b3P"
+    "eK`00b3PeN000f3PeS000N3PeY000J3Pe_P00^3Pen000V3Pf>@00f3PfN000b3PfpP00Z3P"
+    "g8000j3Pg]`00j3Pge`00R3Ph4@00N3PhBP00b3PhH000F3Phc000J3PiJ@00b3PiM@00j3P"
+    "iS@00b3PiX@00b3Pim@00^3PjA000Z3PjQ@01F3Pk;000f3Pk=`00^3PkD000Z3PkG000j3P"
+    "kJ@00f3Pk]@00f3Pl?`00B3PlT`00n3PlY000F3Plp000f3PlgP00B3Pm1@01N3Pn2000f3P"
+    "n:P00f3PnF00163PnOP00f3PoB000f3PoPP00b3P0=000f3P0J000^3P0KP0123P0PP00f3P"
+    "0W000n3P0[000R3P15`00Z3P1M`00f3P1P@00f3P1Q000>3P1c@00N3P1g`00^3P1j`00Z3P"
+    "20`0163P29000Z3P2C000f3P2FP00n3P2MP00^3P2V@00R3P31`00J3P36P00^3P3e000j3P"
+    "3i@00j3P41P00V3P43@00j3P4=@00f3P4E`00b3P4H@00b3P4J000j3P4pP00^3P4j000b3P"
+    "4o000F3P53`00f3P56P00j3P5D000b3P5EP00>3P5P000f3P5S000j3P5VP0123P5XP00^3P"
+    "5d`00Z3P5f`00b3P5l000b3P63000^3P66@00b3P6>P00f3P6J`00^3P6Q000f3P6S000^3P"
+    "6Y`00^3P6a@00b3P6d`00f3P6l@00f3P7:000f3P7BP00V3P7JP00b3P7U000j3P87000Z3P"
+    "8@P00f3P8k000b3P8l000j3P9;@00n3P9DP00n3P9O`00n3P9YP00Z3P9Y`00V3P9g000V3P"
+    "9i000f3P9oP00V3P:6`00^3P:?`00j3P:K@0123P:PP00f3P:S@00f3P:Z`00b3P:[P00f3P"
+    ":_P00j3P:aP00f3P:c000^3P:l`00j3P:m000b3P;AP00f3P;O000j3P;Q000j3P<8000j3P"
+    "<?@00b3P<D@00n3P<S@00j3P<U000^3P<V000b3P<i000j3P==P00^3P=C000j3P=CP00n3P"
+    "=R`00N3P=S001f3P=X@00f3P=Z@00f3P=p`00f3P=`@00f3P=kP00b3P=lP00J3P>8000^3P"
+    ">9P00j3P>L000f3P>]000b3P>_`00b3P>mP00F3P?5000n3P?]`00V3P?jP00f3P@RP00j3P"
+    "@V`00n3P@Y@00f3P@`P00f3P@cP00^3P@k@00f3P@mP00Z3PAVP00f3PA[000Z3PA]@00j3P"
+    "AkP00f3PB3`00n3PB4`00b3PB9000b3PB=@00R3PC5000^3PC8@00f3PCI@00N3PCWP00J3P"
+    "C_000^3PCfP00J3PCnP00f3PD4`00f3PD5P00^3PD7`00f3PD=000f3PDE000n3PDE@00V3P"
+    "DGP00f3PDT000^3PDU@00f3PD_`00f3PDdP00j3PDjP00n3PE2@00f3PEH000f3PEI`00j3P"
+    "E_@00V3PF0000n3PF:000f3PFG000Z3PFM@00j3PFO@00^3PFe@00b3PG9@00f3PG?P01>3P"
+    "GG000f3PGG`00b3PGOP00j3PGTP00n3PGW`00Z3PG[`00j3PG^@00V3PGj@00b3PH0P00R3P"
+    "H8`00f3PHI000f3PHM`00b3PHZ@00j3PHg@00j3PI<000f3PI@00023PIF`00Z3PIj@00f3P"
+    "J6P00f3PJ6`00^3PJE000f3PJQ000^3PJV`00f3PJX@00b3PJl@00b3PKA000n3PKD000j3P"
+    "KV@00b3PKX`00F3PK^@00f3PKh@00f3PKm000b3PL6`00n3PL;`00f3PLA@00^3PLS000j3P"
+    "L^@00n3PLfP00f3PM7000^3PM;@00f3PM@P00F3PMC@00n3PMR`01N3PMX`00f3PMj@00b3P"
+    "MkP00f3PN6P00b3PN=`00Z3PN>000j3PN@@00f3PNE@00b3PNK@00j3PNZ`00f3PN[@00R3P"
+    "N_P00N3PNi000f3PNiP00b3PNm`00b3PO>@00N3POBP00V3POF`00V3POS`00j3POX@00Z3P"
+    "O[P00N3POc`00j3POg000f3POj000N3POlP00f3PP4P00f3PP<000j3PPA@00b3PPS`00n3P"
+    "P]@00N3PPc@00f3PQ8`00V3PQG`0163PQHP0163PQIP00f3PQJ@00n3PQK000R3PQO@00f3P"
+    "QU`00b3PR3000^3PRCP00f3PRG@00Z3PRU`01:3PR]@00^3PRc`00b3PRe`00f3PRjP00n3P"
+    "Rk000V3PRl`00j3PS0@00n3PS7`00Z3PS8@00j3PSJP00N3PSL@00Z3PSMP00f3PSOP00:3P"
+    "SU000N3PSf@00V3PT0@00F3PT0P0123PT3@00f3PT4`00f3PT;@00Z3PT=000V3PTD000^3P"
+    "TO000f3PTTP00n3PTVP00f3PT``00Z3PTbP00j3PTcP00n3PTeP00f3PTe`00J3PTj@00f3P"
+    "Tm`00f3PU0@00J3PUL000f3PUM@00b3PUQ000f3PUS000Z3PV1000f3PV7000f3PV7@00n3P"
+    "VEP00b3PVE`00j3PVF`00f3PVG`00j3PVI`00b3PVJ000V3PV`P00R3PVg000n3PVgP00f3P"
+    "VhP00b3PW3000^3PW5P00b3PW7@00J3PW>`00f3PW?@00f3PWJ`00Z3PWR`00f3PWSP00f3P"
+    "WmP01>3PX1@00b3PX:P00f3PXA@00J3PXI@00b3PXQ@00n3PXc000f3PXm000f3PYA000n3P"
+    "YL`00n3PYT000^3PYe`00j3PYi`00b3PZ9P00Z3PZ?000f3PZC@00n3PZP@00:3PZiP00f3P"
+    "Zi`00^3PZn@00R3P[4P00j3P[5@00j3P[?@00^3P[H`00f3P[Y000>3P[Z@00J3P[j@00n3P"
+    "[k`00b3P[lP00b3Pp<000f3PpiP00Z3P]@000j3P]I000n3P]XP00f3P]YP0123P]]P00J3P"
+    "]a000n3P^B@00j3P^CP00^3P^FP00R3P^N000b3P^OP00b3P^Q000j3P^X000Z3P^pP00Z3P"
+    "^k000J3P_3`00f3P_9`00Z3P_C000^3P_DP00V3P_R@00B3P_d`00>3P`4P00j3P`9`00Z3P"
+    "`R000Z3Pa8P00N3Pa:000f3PaH000f3Pa[000f3Pa[`00V3Pa]@00f3Pa`P00n3PbF@00j3P"
+    "bT`00:3Pc:P00f3Pc=000V3PcI@00b3PcI`00^3PcSP00^3Pc[000j3Pc]`00n3Pcj@00R3P"
+    "cj`0163PcoP00f3Pd2000f3Pd7000f3Pd<`00j3PdDP00f3PdV@00F3Pdj@00^3Pe0000j3P"
+    "e@`00b3PeH`00V3PeI`00f3Pe`000Z3PejP00V3Pel@00f3PelP00f3Pf3P0123Pf4000j3P"
+    "f@000^3PfA001B3PfGP00^3PfH@00n3PfM000R3PfQP00F3PfR`00f3PfV@00^3PfV`00Z3P"
+    "f`@00f3Pfb`00j3Pfn000^3Pfo000Z3Pg3P00f3PgD@00b3PgL000:3PghP00n3Ph1@0023P"
+    "h2P00f3Ph3P00b3PhGP00f3PhR`00n3PhY`00f3Phi`00f3PiRP00^3PiSP00f3PiY000f3P"
+    "iYP00b3PipP00V3Pi`@00j3Pi``00f3PieP00f3PjBP0123PjC`00N3PjJ000F3PjV`00b3P"
+    "ji000j3Pk1000J3PkW`00n3Pl8@00^3Pl:`00^3Pl?`00n3PliP00f3Plk000n3PlkP00f3P"
+    "m:@00Z3Pm:P00j3Pm@@0123PmM000j3Pme`00n3Pmh`00b3Pn<`00f3Pn?P00V3PnB000n3P"
+    "nYP00b3Pn`@00f3Po4P00^3Po5@00b3Po:`00Z3Po<@00V3PoC000Z3PoD000f3PoE@00n3P"
+    "o_000j3Po`@00V3PobP00n3PoiP00f3Pol@00^3P"
+    "",
+    {{
+    {538, 446, 214, 245, 499, 415, 460, 415, 472, 403,
+     299, 519, 205, 257, 186, 431, 208, 165, 32, 0,
+     109, 116, 95, 276, 237, 158, 215, 369, 216, 201,
+     169, 0},
+    {477, 416, 481, 387, 497, 450, 515, 536, 368, 434,
+     440, 504, 406, 395, 332, 0, 359, 348, 303, 247,
+     305, 317, 310, 358, 371, 344, 345, 398, 340, 320,
+     292, 0},
+    }},
+    {{
+    {1652, 1652, 1656, 0, 0, 0, 0, 0},
+    }},
+    {{
+    {655, 0},    {655, 0},    {655, 0},    {96, 20},
+    {59, 20},    {42, 20},    {28, 20},    {76, 20},
+    {519, 1},    {198, 20},    {125, 20},    {87, 20},
+    {176, 19},    {153, 15},    {136, 20},    {11, 20},
+    {2246, 20},    {161, 20},    {193, 20},    {315, 7},
+    {210, 10},    {382, 4},    {403, 2},    {12, 20},
+    {151, 16},    {85, 20},    {80, 18},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {127, 11},
+    {315, 7},    {655, 0},    {655, 0},    {655, 0},
+    {519, 1},    {409, 3},    {655, 0},    {70, 20},
+    {308, 8},    {655, 0},    {335, 5},    {327, 3},
+    {450, 2},    {450, 2},    {655, 0},    {100, 18},
+    {286, 8},    {519, 1},    {519, 1},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {132, 13},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {519, 1},
+    {362, 5},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {191, 8},
+    {350, 4},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {274, 4},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {350, 4},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {138, 10},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {237, 5},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {327, 3},
+    {14172, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {519, 1},
+    {655, 0},    {655, 0},    {655, 0},    {41, 20},
+    {71, 20},    {58, 20},    {10, 20},    {10, 20},
+    {282, 15},    {131, 20},    {273, 20},    {275, 20},
+    {47, 20},    {1533, 20},    {72, 20},    {24, 20},
+    {822, 20},    {81, 20},    {624, 20},    {28, 20},
+    {72, 20},    {169, 20},    {108, 20},    {37, 20},
+    {1834, 20},    {29, 20},    {12, 20},    {655, 0},
+    {409, 3},    {655, 0},    {274, 4},    {274, 4},
+    {199, 20},    {655, 0},    {655, 0},    {655, 0},
+    {291, 7},    {5468, 6},    {315, 7},    {193, 20},
+    {1087, 20},    {655, 0},    {7209, 4},    {218, 9},
+    {519, 1},    {8601, 3},    {409, 3},    {156, 20},
+    {3649, 20},    {335, 5},    {245, 7},    {655, 0},
+    {519, 1},    {655, 0},    {403, 2},    {289, 8},
+    {350, 4},    {450, 2},    {8411, 5},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {210, 20},    {655, 0},    {655, 0},    {403, 2},
+    {519, 1},    {519, 1},    {519, 1},    {211, 12},
+    {362, 5},    {519, 1},    {519, 1},    {519, 1},
+    {450, 2},    {519, 1},    {450, 2},    {308, 5},
+    {335, 5},    {519, 1},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {403, 2},    {450, 2},
+    {313, 4},    {655, 0},    {371, 3},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {403, 2},
+    {290, 12},    {655, 0},    {655, 0},    {655, 0},
+    {409, 3},    {450, 2},    {450, 2},    {450, 2},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {5009, 20},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {519, 1},
+    {11121, 8},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {321, 20},
+    {121, 20},    {54, 20},    {86, 20},    {11, 20},
+    {222, 20},    {275, 20},    {426, 20},    {1188, 20},
+    {278, 20},    {112, 20},    {470, 20},    {79, 20},
+    {989, 20},    {329, 20},    {449, 20},    {993, 20},
+    {413, 20},    {722, 20},    {548, 20},    {138, 20},
+    {3254, 20},    {35, 20},    {27, 20},    {207, 6},
+    {263, 8},    {403, 2},    {409, 3},    {244, 10},
+    {2748, 20},    {655, 0},    {655, 0},    {2307, 20},
+    {4328, 20},    {1172, 20},    {178, 20},    {125, 20},
+    {530, 20},    {247, 12},    {179, 20},    {7274, 20},
+    {208, 20},    {2512, 16},    {2356, 20},    {2480, 20},
+    {2533, 20},    {154, 20},    {1694, 20},    {132, 20},
+    {3855, 13},    {3398, 11},    {229, 11},    {230, 12},
+    {6611, 20},    {111, 17},    {135, 12},    {519, 1},
+    {655, 0},    {655, 0},    {403, 2},    {519, 1},
+    {2860, 20},    {655, 0},    {655, 0},    {519, 1},
+    {261, 12},    {348, 6},    {285, 9},    {1842, 20},
+    {204, 20},    {655, 0},    {450, 2},    {4006, 9},
+    {13006, 2},    {362, 5},    {519, 1},    {382, 4},
+    {14199, 20},    {327, 3},    {304, 5},    {655, 0},
+    {10454, 3},    {371, 3},    {272, 6},    {304, 5},
+    {11722, 6},    {274, 4},    {274, 4},    {519, 1},
+    {403, 2},    {655, 0},    {519, 1},    {655, 0},
+    {9891, 20},    {655, 0},    {655, 0},    {655, 0},
+    {371, 3},    {350, 4},    {403, 2},    {3677, 10},
+    {4866, 7},    {655, 0},    {655, 0},    {519, 1},
+    {519, 1},    {655, 0},    {655, 0},    {450, 2},
+    {44071, 20},    {655, 0},    {403, 2},    {519, 1},
+    {403, 2},    {655, 0},    {14172, 1},    {519, 1},
+    {30254, 20},    {655, 0},    {519, 1},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {519, 1},
+    {655, 0},    {655, 0},    {655, 0},    {317, 20},
+    {327, 20},    {141, 20},    {116, 20},    {160, 20},
+    {321, 20},    {164, 20},    {425, 20},    {650, 20},
+    {346, 20},    {196, 20},    {167, 20},    {103, 20},
+    {779, 20},    {286, 20},    {626, 20},    {533, 20},
+    {797, 20},    {432, 20},    {247, 20},    {121, 20},
+    {2597, 20},    {1095, 20},    {1841, 20},    {93, 20},
+    {2329, 20},    {63, 20},    {59, 20},    {433, 20},
+    {5125, 20},    {655, 0},    {655, 0},    {3143, 20},
+    {4929, 20},    {2809, 20},    {2574, 20},    {658, 20},
+    {3045, 20},    {1671, 20},    {462, 20},    {2517, 20},
+    {1178, 20},    {375, 20},    {691, 20},    {243, 20},
+    {3789, 20},    {3158, 20},    {1315, 20},    {2083, 20},
+    {2928, 20},    {2871, 20},    {1245, 20},    {257, 20},
+    {4225, 20},    {108, 20},    {113, 18},    {238, 6},
+    {237, 5},    {403, 2},    {403, 2},    {746, 20},
+    {5806, 20},    {655, 0},    {655, 0},    {182, 13},
+    {6223, 20},    {3874, 20},    {4080, 20},    {1445, 20},
+    {803, 20},    {327, 3},    {230, 11},    {3228, 20},
+    {269, 7},    {1872, 20},    {189, 13},    {65, 20},
+    {8740, 20},    {145, 14},    {4842, 7},    {450, 2},
+    {270, 5},    {5683, 9},    {133, 20},    {35, 20},
+    {6822, 20},    {519, 1},    {318, 4},    {519, 1},
+    {519, 1},    {655, 0},    {519, 1},    {36, 20},
+    {14354, 20},    {655, 0},    {655, 0},    {20537, 3},
+    {18078, 20},    {9497, 20},    {2482, 20},    {2348, 20},
+    {362, 5},    {519, 1},    {655, 0},    {371, 3},
+    {274, 4},    {655, 0},    {655, 0},    {217, 7},
+    {37602, 20},    {655, 0},    {519, 1},    {371, 3},
+    {274, 4},    {164, 12},    {8412, 5},    {32, 20},
+    {22242, 20},    {11250, 3},    {14172, 1},    {655, 0},
+    {655, 0},    {10454, 3},    {655, 0},    {2026, 20},
+    {655, 0},    {655, 0},    {655, 0},    {219, 20},
+    {185, 20},    {109, 20},    {206, 20},    {354, 20},
+    {239, 20},    {125, 20},    {71, 20},    {56, 20},
+    {86, 20},    {110, 20},    {191, 11},    {769, 20},
+    {127, 20},    {118, 20},    {152, 20},    {327, 3},
+    {92, 20},    {273, 7},    {409, 3},    {157, 20},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {6132, 20},    {655, 0},    {655, 0},    {403, 2},
+    {327, 3},    {18008, 7},    {519, 1},    {12973, 20},
+    {248, 8},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {318, 4},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {3579, 16},    {655, 0},    {655, 0},    {655, 0},
+    {519, 1},    {519, 1},    {655, 0},    {519, 1},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {18727, 10},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {13006, 2},    {14172, 1},    {519, 1},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {15, 20},
+    {93, 20},    {224, 20},    {64, 20},    {157, 20},
+    {266, 20},    {1024, 20},    {337, 20},    {271, 20},
+    {46, 20},    {2992, 20},    {54, 20},    {175, 20},
+    {640, 20},    {625, 20},    {110, 20},    {519, 1},
+    {170, 20},    {3595, 13},    {193, 17},    {1871, 20},
+    {403, 2},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {3222, 20},    {655, 0},    {655, 0},    {655, 0},
+    {9011, 11},    {313, 4},    {12904, 6},    {5308, 20},
+    {222, 11},    {519, 1},    {7177, 4},    {655, 0},
+    {519, 1},    {403, 2},    {519, 1},    {409, 3},
+    {7419, 12},    {294, 7},    {655, 0},    {655, 0},
+    {655, 0},    {519, 1},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {6774, 12},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {30546, 5},    {450, 2},    {17155, 4},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {450, 2},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {6155, 5},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {13006, 2},    {655, 0},    {14172, 1},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {438, 20},
+    {335, 20},    {190, 20},    {39, 20},    {151, 20},
+    {202, 20},    {229, 20},    {651, 20},    {46, 20},
+    {86, 20},    {84, 20},    {761, 20},    {1007, 20},
+    {1470, 20},    {1794, 20},    {111, 20},    {304, 5},
+    {300, 6},    {265, 9},    {196, 16},    {1803, 20},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {600, 20},    {655, 0},    {655, 0},    {10690, 2},
+    {300, 6},    {6187, 5},    {9434, 9},    {13413, 20},
+    {2872, 17},    {655, 0},    {409, 3},    {655, 0},
+    {655, 0},    {655, 0},    {519, 1},    {655, 0},
+    {167, 19},    {10454, 3},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {189, 20},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {14172, 1},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {406, 20},
+    {602, 20},    {587, 20},    {411, 20},    {253, 20},
+    {259, 16},    {1274, 20},    {2228, 20},    {1432, 20},
+    {30, 20},    {39, 20},    {40, 20},    {11, 20},
+    {6365, 20},    {987, 20},    {4736, 16},    {276, 5},
+    {122, 17},    {169, 13},    {519, 1},    {749, 20},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {4340, 20},    {655, 0},    {655, 0},    {10690, 2},
+    {20564, 5},    {7177, 4},    {655, 0},    {4234, 20},
+    {224, 10},    {655, 0},    {655, 0},    {655, 0},
+    {519, 1},    {655, 0},    {655, 0},    {519, 1},
+    {163, 14},    {409, 3},    {655, 0},    {519, 1},
+    {655, 0},    {655, 0},    {655, 0},    {519, 1},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {382, 4},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {20931, 2},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {14172, 1},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {55, 20},    {655, 0},
+    {282, 10},    {655, 0},    {655, 0},    {655, 0},
+    {16, 20},    {655, 0},    {228, 12},    {655, 0},
+    {7140, 4},    {655, 0},    {101, 20},    {655, 0},
+    {350, 4},    {655, 0},    {655, 0},    {655, 0},
+    {207, 20},    {655, 0},    {403, 2},    {655, 0},
+    {655, 0},    {655, 0},    {14, 20},    {450, 2},
+    {382, 4},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {519, 1},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {58, 20},    {198, 20},
+    {519, 1},    {655, 0},    {655, 0},    {655, 0},
+    {203, 20},    {207, 20},    {519, 1},    {655, 0},
+    {655, 0},    {655, 0},    {3214, 20},    {232, 20},
+    {655, 0},    {519, 1},    {655, 0},    {655, 0},
+    {3, 20},    {52, 20},    {1871, 20},    {655, 0},
+    {371, 3},    {655, 0},    {16, 20},    {116, 20},
+    {298, 10},    {450, 2},    {371, 3},    {519, 1},
+    {11, 20},    {11, 20},    {159, 20},    {655, 0},
+    {10690, 2},    {655, 0},    {77, 20},    {78, 20},
+    {227, 20},    {655, 0},    {403, 2},    {655, 0},
+    {763, 20},    {422, 20},    {335, 5},    {519, 1},
+    {519, 1},    {655, 0},    {53, 20},    {100, 20},
+    {1564, 20},    {7391, 6},    {14043, 10},    {270, 5},
+    {71, 20},    {100, 20},    {519, 1},    {403, 2},
+    {655, 0},    {655, 0},    {18, 20},    {6, 20},
+    {167, 18},    {244, 11},    {12876, 6},    {519, 1},
+    {54, 20},    {9, 20},    {2487, 20},    {308, 8},
+    {9444, 10},    {655, 0},    {267, 20},    {97, 20},
+    {231, 12},    {655, 0},    {25610, 2},    {655, 0},
+    {127, 20},    {122, 20},    {231, 13},    {5260, 20},
+    {10690, 2},    {12639, 13},    {37, 20},    {167, 20},
+    {450, 2},    {655, 0},    {450, 2},    {655, 0},
+    {168, 20},    {62, 20},    {350, 4},    {4514, 12},
+    {20753, 6},    {10454, 3},    {40, 20},    {65, 20},
+    {9410, 9},    {215, 12},    {237, 5},    {313, 4},
+    {245, 20},    {93, 20},    {16407, 13},    {382, 4},
+    {42339, 20},    {403, 2},    {81, 20},    {147, 20},
+    {655, 0},    {244, 7},    {655, 0},    {13006, 2},
+    {125, 20},    {68, 20},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {102, 20},    {48, 20},
+    {450, 2},    {450, 2},    {655, 0},    {655, 0},
+    {91, 20},    {71, 20},    {519, 1},    {450, 2},
+    {519, 1},    {655, 0},    {33, 20},    {220, 20},
+    {22404, 5},    {7177, 4},    {27128, 16},    {40428, 7},
+    {64, 20},    {59, 20},    {519, 1},    {327, 3},
+    {237, 5},    {655, 0},    {195, 17},    {160, 20},
+    {519, 1},    {519, 1},    {655, 0},    {655, 0},
+    {378, 20},    {63, 20},    {519, 1},    {274, 4},
+    {274, 4},    {519, 1},    {689, 20},    {92, 20},
+    {14172, 1},    {327, 3},    {519, 1},    {655, 0},
+    {13338, 12},    {179, 20},    {655, 0},    {655, 0},
+    {403, 2},    {519, 1},    {54, 20},    {25, 20},
+    {655, 0},    {655, 0},    {237, 5},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {10201, 20},    {4845, 20},
+    {2325, 20},    {2274, 20},    {2193, 20},    {999, 20},
+    {655, 0},    {450, 2},    {4596, 11},    {8721, 4},
+    {294, 7},    {4868, 9},    {4006, 9},    {2188, 19},
+    {655, 0},    {33818, 20},    {32043, 20},    {34153, 20},
+    {33346, 20},    {29334, 20},    {34632, 20},    {30311, 20},
+    {34269, 20},    {30083, 20},    {31102, 20},    {28236, 20},
+    {36387, 20},    {35295, 20},    {32426, 20},    {30399, 20},
+    {31722, 20},    {32082, 20},    {32854, 20},    {30406, 20},
+    {33668, 20},    {29466, 20},    {32711, 20},    {655, 0},
+    {34226, 20},    {31845, 20},    {28251, 20},    {36300, 20},
+    {34349, 20},    {32579, 20},    {31341, 20},    {26398, 13},
+    {30541, 20},    {26398, 13},    {32173, 20},    {30418, 20},
+    {30474, 20},    {26398, 13},    {30418, 20},    {30574, 13},
+    {26398, 13},    {29888, 20},    {24826, 14},    {26398, 13},
+    {655, 0},    {30474, 20},    {655, 0},    {655, 0},
+    {655, 0},    {34226, 20},    {30621, 20},    {34226, 20},
+    {28251, 20},    {655, 0},    {31965, 20},    {32749, 20},
+    {33668, 20},    {32491, 20},    {31066, 20},    {26398, 13},
+    {30437, 20},    {30474, 20},    {26398, 13},    {655, 0},
+    {655, 0},    {29281, 20},    {38213, 20},    {30655, 20},
+    {33608, 20},    {32776, 20},    {29770, 20},    {28004, 20},
+    {31626, 20},    {38137, 20},    {31629, 20},    {29951, 20},
+    {33326, 20},    {33248, 20},    {34377, 20},    {30950, 20},
+    {32746, 20},    {33287, 20},    {33694, 20},    {33541, 20},
+    {34702, 20},    {34784, 20},    {35897, 20},    {32134, 20},
+    {33220, 20},    {33403, 20},    {31758, 20},    {31701, 20},
+    {36375, 20},    {28995, 20},    {28805, 20},    {30472, 20},
+    {28532, 20},    {34590, 20},    {33655, 20},    {34500, 20},
+    {28749, 20},    {30128, 20},    {30949, 20},    {33692, 20},
+    {30785, 20},    {29381, 20},    {30406, 20},    {33753, 20},
+    {31408, 20},    {32956, 20},    {34502, 20},    {31758, 20},
+    {32414, 20},    {31481, 20},    {34592, 20},    {33520, 20},
+    {32002, 20},    {32276, 20},    {32037, 20},    {27824, 20},
+    {29888, 20},    {32242, 20},    {31991, 20},    {32681, 14},
+    {32288, 20},    {22181, 16},    {32166, 20},    {32711, 20},
+    {655, 0},    {31447, 20},    {31612, 20},    {34059, 20},
+    {32482, 20},    {33807, 20},    {32882, 20},    {33620, 20},
+    {34127, 20},    {33016, 20},    {33307, 20},    {32153, 20},
+    {32286, 20},    {32632, 20},    {33018, 20},    {32454, 20},
+    {36261, 20},    {33624, 20},    {32722, 20},    {32197, 20},
+    {33590, 20},    {33599, 20},    {32317, 20},    {32800, 20},
+    {33487, 20},    {32018, 20},    {32691, 20},    {32876, 20},
+    {34004, 20},    {32346, 20},    {32114, 20},    {33666, 20},
+    {31028, 20},    {31871, 20},    {32568, 20},    {32090, 20},
+    {31898, 20},    {32943, 20},    {33100, 20},    {32293, 20},
+    {32851, 20},    {31901, 20},    {31983, 20},    {33280, 20},
+    {32428, 20},    {32085, 20},    {32965, 20},    {32595, 20},
+    {32544, 20},    {32825, 20},    {32194, 20},    {33035, 20},
+    {32829, 20},    {32513, 20},    {32315, 20},    {32053, 20},
+    {33025, 20},    {31694, 20},    {31272, 20},    {32840, 20},
+    {32203, 20},    {32446, 20},    {31783, 20},    {32823, 20},
+    {655, 0},    {35302, 20},    {40393, 20},    {44172, 20},
+    {30187, 20},    {30437, 20},    {24826, 14},    {30474, 20},
+    {33800, 20},    {655, 0},    {28756, 20},    {35097, 20},
+    {24826, 14},    {655, 0},    {23538, 20},    {30574, 13},
+    {655, 0},    {31239, 20},    {655, 0},    {655, 0},
+    {35172, 20},    {26398, 13},    {37409, 20},    {655, 0},
+    {31640, 20},    {655, 0},    {655, 0},    {655, 0},
+    {30474, 20},    {655, 0},    {655, 0},    {26398, 13},
+    {655, 0},    {655, 0},    {30474, 20},    {30474, 20},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {26398, 13},    {30574, 13},    {655, 0},
+    {655, 0},    {30474, 20},    {655, 0},    {655, 0},
+    {655, 0},    {32681, 14},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {30574, 13},    {30574, 13},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {30574, 13},    {655, 0},
+    {655, 0},    {33796, 20},    {38783, 20},    {31312, 20},
+    {20486, 20},    {38423, 20},    {36881, 20},    {26398, 13},
+    {30474, 20},    {17628, 13},    {21331, 20},    {35935, 20},
+    {39554, 13},    {38931, 20},    {30574, 13},    {655, 0},
+    {655, 0},    {29473, 20},    {37002, 14},    {655, 0},
+    {26398, 13},    {655, 0},    {35174, 20},    {28757, 20},
+    {655, 0},    {35168, 13},    {655, 0},    {26398, 13},
+    {655, 0},    {26398, 13},    {655, 0},    {655, 0},
+    {655, 0},    {26398, 13},    {30474, 20},    {30474, 20},
+    {26398, 13},    {30574, 13},    {655, 0},    {655, 0},
+    {26398, 13},    {22181, 16},    {655, 0},    {655, 0},
+    {26398, 13},    {31965, 20},    {32681, 14},    {30474, 20},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {655, 0},    {26398, 13},    {655, 0},
+    {655, 0},    {655, 0},    {26398, 13},    {655, 0},
+    {655, 0},    {655, 0},    {655, 0},    {655, 0},
+    {655, 0},    {34348, 20},    {35171, 20},    {33801, 20},
+    {36362, 20},    {33565, 20},    {33466, 20},    {31954, 20},
+    {35584, 20},    {31776, 20},    {35765, 20},    {34129, 20},
+    {34533, 20},    {32962, 20},    {34167, 20},    {29648, 20},
+    {36476, 20},    {33955, 20},    {33063, 20},    {34257, 20},
+    {33997, 20},    {31045, 20},    {33756, 20},    {33419, 20},
+    {32941, 20},    {33936, 20},    {33023, 20},    {33540, 20},
+    {33166, 20},    {31169, 20},    {33076, 20},    {33753, 20},
+    {32711, 20},    {32744, 20},    {31709, 20},    {31821, 20},
+    {31677, 20},    {32326, 20},    {30702, 20},    {32281, 20},
+    {32751, 20},    {31965, 20},    {31437, 20},    {31418, 20},
+    {31571, 20},    {32061, 20},    {31740, 20},    {33448, 20},
+    {33825, 20},    {31244, 20},    {31965, 20},    {31468, 20},
+    {32328, 20},    {32209, 20},    {31343, 20},    {32498, 20},
+    {32049, 20},    {32049, 20},    {31596, 20},    {31782, 20},
+    {30666, 20},    {32258, 20},    {30417, 20},    {32401, 20},
+    }}};
+
+}  // namespace unstep::codec::warm

@@ -1,0 +1,190 @@
+#include "steps/grid_moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "program/arc_geometry.h"
+
+namespace unstep::steps {
+namespace {
+
+using Kind = ProgramItem::Kind;
+
+class Gridder {
+ public:
+  explicit Gridder(const StepMakeOptions& options)
+      : options_(options), at_(options.origin) {
+    if (options.axes == 2) at_[2] = 0;
+  }
+
+  Status add(const ProgramMove& move) {
+    feed_ = move.feed;
+    rapid_ = move.kind == Kind::rapid;
+    if (move.kind == Kind::clockwise || move.kind == Kind::counter) {
+      for (std::uint32_t turn = 1; turn < move.turns; ++turn) {
+        if (Status done = add_turn(move); !done) return done;
+      }
+      return add_arc(move);
+    }
+    return line_to(move.end);
+  }
+
+  std::vector<GridMove> take() { return std::move(moves_); }
+
+ private:
+  [[nodiscard]] double in_mm(double steps) const {
+    return steps * static_cast<double>(options_.step) /
+           static_cast<double>(kProgramUnitsPerMm);
+  }
+
+  Status round(std::int64_t value, std::int32_t& out) const {
+    const std::int64_t step = options_.step;
+    const std::int64_t half = step / 2;
+    const std::int64_t steps =
+        value < 0 ? -((-value + half) / step) : (value + half) / step;
+    if (steps > kMaxCoord || steps < -kMaxCoord) {
+      return Error{ErrorCode::out_of_range,
+                   "a motion leaves the range of 2^30 steps"};
+    }
+    out = static_cast<std::int32_t>(steps);
+    return {};
+  }
+  Status round(const ProgramPosition& at, GridPoint& out) const {
+    for (std::size_t axis = 0; axis < kMaxStepAxes; ++axis) {
+      out[axis] = 0;
+      if (static_cast<int>(axis) >= options_.axes) continue;
+      if (Status done = round(at[axis], out[axis]); !done) return done;
+    }
+    return {};
+  }
+
+  Status line_to(const ProgramPosition& to) {
+    GridPoint end{};
+    if (Status done = round(to, end); !done) return done;
+    return line_to(end);
+  }
+  Status line_to(const GridPoint& end) {
+    GridMove move;
+    move.rapid = rapid_;
+    move.feed = feed_;
+    double square = 0;
+    for (std::size_t axis = 0; axis < kMaxStepAxes; ++axis) {
+      move.delta[axis] = end[axis] - at_[axis];
+      square += std::pow(static_cast<double>(move.delta[axis]), 2);
+    }
+    if (square == 0) return {};
+    move.length = in_mm(std::sqrt(square));
+    at_ = end;
+    return push(move);
+  }
+
+  /// Every move has a step at least, so the limit of steps holds for moves.
+  Status push(const GridMove& move) {
+    if (moves_.size() >= options_.max_steps) {
+      return Error{ErrorCode::limit_exceeded, "more steps than allowed"};
+    }
+    moves_.push_back(move);
+    return {};
+  }
+
+  /// Once around from the start, in the plane.
+  Status add_turn(ProgramMove move) {
+    const auto plane = plane_axes(move.plane);
+    move.end[plane[0]] = move.start[plane[0]];
+    move.end[plane[1]] = move.start[plane[1]];
+    move.end[plane[2]] = move.start[plane[2]];
+    return add_arc(move);
+  }
+
+  Status add_arc(const ProgramMove& move) {
+    if (options_.axes == 2 && move.plane == ProgramPlane::xy) {
+      GridPoint end{};
+      if (Status done = round(move.end, end); !done) return done;
+      std::array<std::int32_t, 2> centre{};
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (Status done = round(move.centre[i], centre[i]); !done) return done;
+      }
+      const Arc arc{{centre[0] - at_[0], centre[1] - at_[1]},
+                    {end[0] - at_[0], end[1] - at_[1]},
+                    move.kind == Kind::clockwise};
+      const bool full =
+          move.start[0] == move.end[0] && move.start[1] == move.end[1];
+      InterpolatorOptions how;
+      how.combined = options_.method == Method::evaluation8;
+      if ((full || arc.end != Point{}) && arc.centre != Point{} &&
+          Interpolator::arc(Method::circular, arc, how)) {
+        GridMove out;
+        out.rapid = rapid_;
+        out.feed = feed_;
+        out.is_arc = true;
+        out.arc = arc;
+        out.delta = {arc.end.x, arc.end.y, 0};
+        const PlanePoint from{0, 0};
+        const PlanePoint to{arc.end.x, arc.end.y};
+        const PlanePoint middle{arc.centre.x, arc.centre.y};
+        out.radius = in_mm(std::hypot(arc.centre.x, arc.centre.y));
+        out.length = out.radius * arc_sweep(from, to, middle, !arc.clockwise);
+        at_ = end;
+        return push(out);
+      }
+    }
+    return add_chords(move);
+  }
+
+  /// Chords of at most half a step, for what has no arc on the grid.
+  Status add_chords(const ProgramMove& move) {
+    const auto plane = plane_axes(move.plane);
+    const PlanePoint from{move.start[plane[0]], move.start[plane[1]]};
+    const PlanePoint to{move.end[plane[0]], move.end[plane[1]]};
+    const bool counter = move.kind == Kind::counter;
+    const double radius = distance(from, move.centre);
+    const double sweep = arc_sweep(from, to, move.centre, counter);
+    const double wanted =
+        std::ceil(radius * sweep * 2 / static_cast<double>(options_.step));
+    if (!(wanted <= 4 * static_cast<double>(options_.max_steps) + 16)) {
+      return Error{ErrorCode::limit_exceeded, "more steps than allowed"};
+    }
+    const auto count = static_cast<std::uint64_t>(std::max(wanted, 1.0));
+    const double first =
+        std::atan2(static_cast<double>(from[1] - move.centre[1]),
+                   static_cast<double>(from[0] - move.centre[0]));
+    for (std::uint64_t i = 1; i < count; ++i) {
+      const double part = static_cast<double>(i) / static_cast<double>(count);
+      const double angle = first + (counter ? sweep : -sweep) * part;
+      ProgramPosition at = move.start;
+      at[plane[0]] = move.centre[0] + std::llround(radius * std::cos(angle));
+      at[plane[1]] = move.centre[1] + std::llround(radius * std::sin(angle));
+      at[plane[2]] +=
+          std::llround(part * static_cast<double>(move.end[plane[2]] -
+                                                  move.start[plane[2]]));
+      if (Status done = line_to(at); !done) return done;
+    }
+    return line_to(move.end);
+  }
+
+  const StepMakeOptions& options_;
+  std::vector<GridMove> moves_;
+  GridPoint at_;
+  double feed_ = 0;
+  bool rapid_ = false;
+};
+
+}  // namespace
+
+Result<std::vector<GridMove>> grid_moves(const Program& program,
+                                         const StepMakeOptions& options) {
+  const Result<std::vector<ProgramMove>> moves =
+      program_moves(program, options.skip_unknown);
+  if (!moves) return moves.error();
+  Gridder gridder(options);
+  for (const ProgramMove& move : *moves) {
+    if (Status done = gridder.add(move); !done) {
+      return Error{done.error().code, "line " + std::to_string(move.line) +
+                                          ": " + done.error().message};
+    }
+  }
+  return gridder.take();
+}
+
+}  // namespace unstep::steps

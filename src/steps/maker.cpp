@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <string>
+
+#include "steps/grid_moves.h"
+#include "steps/line3.h"
+#include "steps/timing.h"
+#include "steps/words.h"
+
+/// Programs to steps. docs/steps.md.
+namespace unstep {
+namespace {
+
+using steps::GridMove;
+
+/// Pulses of a part of a run, and of lines that are drawn together.
+constexpr std::size_t kPart = std::size_t{1} << 20;
+constexpr std::size_t kBatch = std::size_t{1} << 16;
+
+bool counts_steps(Method method) {
+  return method == Method::evaluation8 || method == Method::evaluation ||
+         method == Method::device || method == Method::gate_level;
+}
+
+class Maker {
+ public:
+  Maker(const StepMakeOptions& options, const StepSink& sink)
+      : options_(options), sink_(sink), left_(options.max_steps) {}
+
+  Status run(const std::vector<GridMove>& moves) {
+    std::vector<steps::MoveSpeed> speeds;
+    if (options_.timed) speeds = steps::plan_speeds(moves, options_.timing);
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      const GridMove& move = moves[i];
+      if (move.rapid != run_.rapid) {
+        if (Status done = flush(); !done) return done;
+        run_.rapid = move.rapid;
+      }
+      const std::size_t before = run_.words.size();
+      Status done = draw(move);
+      if (done && options_.timed) done = time(move, speeds[i], before);
+      if (done && run_.words.size() >= kPart) done = flush();
+      if (!done) return done;
+    }
+    return flush();
+  }
+
+ private:
+  Status flush() {
+    if (Status done = draw_lines(); !done) return done;
+    for (std::size_t at = 0; at < run_.words.size(); at += kPart) {
+      if (run_.words.size() <= kPart) {
+        if (Status done = sink_(run_); !done) return done;
+        break;
+      }
+      const std::size_t end = std::min(at + kPart, run_.words.size());
+      const auto cut = [at, end](const auto& all) {
+        return std::vector(all.begin() + static_cast<std::ptrdiff_t>(at),
+                           all.begin() + static_cast<std::ptrdiff_t>(end));
+      };
+      StepRun part{run_.rapid, cut(run_.words), {}};
+      if (options_.timed) part.waits = cut(run_.waits);
+      if (Status done = sink_(part); !done) return done;
+    }
+    run_.words.clear();
+    run_.waits.clear();
+    return {};
+  }
+
+  Status take(std::uint64_t count) {
+    if (count > left_) {
+      return Error{ErrorCode::limit_exceeded, "more steps than allowed"};
+    }
+    left_ -= count;
+    return {};
+  }
+
+  Status draw(const GridMove& move) {
+    if (options_.axes == 3) return draw_line3(move);
+    if (move.is_arc) {
+      if (Status done = draw_lines(); !done) return done;
+      InterpolatorOptions how = options_.interpolator;
+      how.combined = options_.method == Method::evaluation8;
+      Result<Interpolator> arc =
+          Interpolator::arc(Method::circular, move.arc, how);
+      return arc ? walk(*arc) : arc.error();
+    }
+    const Segment line{move.delta[0], move.delta[1]};
+    if (!counts_steps(options_.method)) {
+      Result<Interpolator> drawn =
+          Interpolator::line(options_.method, line, options_.interpolator);
+      return drawn ? walk(*drawn) : drawn.error();
+    }
+    const std::uint64_t count = step_count(options_.method, line);
+    if (Status done = take(count); !done) return done;
+    lines_.push_back(line);
+    pending_ += static_cast<std::size_t>(count);
+    return options_.timed || pending_ >= kBatch ? draw_lines() : Status();
+  }
+
+  /// The lines that wait, together.
+  Status draw_lines() {
+    if (lines_.empty()) return {};
+    const std::size_t before = run_.words.size();
+    run_.words.resize(before + pending_);
+    const std::span<Step> out = std::span(run_.words).subspan(before);
+    const Result<std::size_t> drawn =
+        interpolate(options_.method, lines_, out, options_.interpolator);
+    if (!drawn) return drawn.error();
+    for (Step& step : out) step = steps::kWords[step & 7];
+    lines_.clear();
+    pending_ = 0;
+    return {};
+  }
+
+  Status walk(Interpolator& drawn) {
+    std::array<Tick, 256> ticks;
+    for (std::size_t n = drawn.fill(ticks); n != 0; n = drawn.fill(ticks)) {
+      for (std::size_t i = 0; i < n; ++i) {
+        if (ticks[i].kind != Tick::Kind::step) continue;
+        if (Status done = take(1); !done) return done;
+        run_.words.push_back(steps::kWords[ticks[i].step & 7]);
+      }
+    }
+    return {};
+  }
+
+  Status draw_line3(const GridMove& move) {
+    steps::Line3 line(move.delta);
+    if (Status done = take(line.count()); !done) return done;
+    for (std::uint32_t i = 0; i < line.count(); ++i) {
+      run_.words.push_back(line.next());
+    }
+    return {};
+  }
+
+  /// Waits of the words that the move has made.
+  Status time(const GridMove& move, const steps::MoveSpeed& speed,
+              std::size_t before) {
+    const std::size_t count = run_.words.size() - before;
+    const auto all = static_cast<double>(count);
+    const double clock = options_.timing.clock;
+    double ticks = 0;
+    for (std::size_t i = 1; i <= count; ++i) {
+      const double way = move.length * static_cast<double>(i) / all;
+      ticks = clock * steps::time_at(speed, move.length, way,
+                                     options_.timing.acceleration);
+      // What rounding leaves goes into the next wait.
+      const double wait = std::floor(move_begin_ + ticks - clock_at_);
+      if (!(wait < 4294967296.0)) {
+        return Error{ErrorCode::out_of_range,
+                     "a step takes longer than 2^32 ticks of the clock"};
+      }
+      run_.waits.push_back(static_cast<std::uint32_t>(std::max(wait, 1.0)));
+      clock_at_ += run_.waits.back();
+    }
+    move_begin_ += ticks;
+    // Numbers that stay small keep their precision.
+    const double whole = std::floor(std::min(move_begin_, clock_at_));
+    move_begin_ -= whole;
+    clock_at_ -= whole;
+    return {};
+  }
+
+  const StepMakeOptions& options_;
+  const StepSink& sink_;
+  std::uint64_t left_;
+  StepRun run_;
+  std::vector<Segment> lines_;
+  std::size_t pending_ = 0;  ///< steps of lines_
+  double move_begin_ = 0;    ///< ticks, since some whole number of them
+  double clock_at_ = 0;      ///< of the last step
+};
+
+Status check(const StepMakeOptions& options) {
+  const MethodInfo& info = method_info(options.method);
+  if (!info.lines || info.increments) {
+    return Error{ErrorCode::invalid_argument,
+                 std::string(info.name) + " makes no unit steps of lines"};
+  }
+  if (options.axes != 2 && options.axes != 3) {
+    return Error{ErrorCode::invalid_argument, "steps have 2 or 3 axes"};
+  }
+  if (options.step < 1 || options.step > std::int64_t{1} << 40) {
+    return Error{ErrorCode::out_of_range,
+                 "a step is 0.0000001 mm to 109 m long"};
+  }
+  for (const std::int32_t at : options.origin) {
+    if (at > kMaxCoord || at < -kMaxCoord) {
+      return Error{ErrorCode::out_of_range, "the origin of the steps"};
+    }
+  }
+  const StepTiming& timing = options.timing;
+  const bool right =
+      timing.clock >= 1 && timing.feed > 0 && timing.feed <= 1e9 &&
+      timing.rapid > 0 && timing.rapid <= 1e9 && timing.acceleration >= 0 &&
+      timing.acceleration <= 1e9 && timing.corner > 0 && timing.corner <= 1e3;
+  if (options.timed && !right) {
+    return Error{ErrorCode::out_of_range,
+                 "clock, feeds and corner are more than 0, at most 10^9"};
+  }
+  return {};
+}
+
+}  // namespace
+
+Status make_steps(const Program& program, const StepMakeOptions& options,
+                  const StepSink& sink) {
+  if (Status valid = check(options); !valid) return valid;
+  try {
+    const Result<std::vector<GridMove>> moves =
+        steps::grid_moves(program, options);
+    if (!moves) return moves.error();
+    return Maker(options, sink).run(*moves);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::limit_exceeded, "no memory for the steps"};
+  }
+}
+
+StepHead step_head(const StepMakeOptions& options) {
+  StepHead head{options.axes, options.step,
+                options.timed ? options.timing.clock : 0, options.origin};
+  if (options.axes == 2) head.origin[2] = 0;
+  return head;
+}
+
+Result<StepStream> make_steps(const Program& program,
+                              const StepMakeOptions& options) {
+  StepStream stream;
+  stream.head = step_head(options);
+  const Status done =
+      make_steps(program, options, [&stream](const StepRun& run) {
+        if (stream.runs.empty() || stream.runs.back().rapid != run.rapid) {
+          stream.runs.push_back(run);
+          return Status();
+        }
+        StepRun& last = stream.runs.back();
+        last.words.insert(last.words.end(), run.words.begin(), run.words.end());
+        last.waits.insert(last.waits.end(), run.waits.begin(), run.waits.end());
+        return Status();
+      });
+  if (!done) return done.error();
+  return stream;
+}
+
+}  // namespace unstep

@@ -1,0 +1,282 @@
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <numbers>
+#include <string>
+
+#include "formats/gcode_writer_number.h"
+#include "grid/wide_product.h"
+#include "steps/exact_lines.h"
+#include "steps/format.h"
+#include "steps/line3.h"
+#include "steps/reverse_arc.h"
+#include "steps/words.h"
+#include "unstep/step_stream.h"
+
+/// Steps to programs. docs/steps.md, "Back".
+namespace unstep {
+namespace {
+
+using GridDelta = std::array<std::int32_t, kMaxStepAxes>;
+
+/// How many steps are looked at for one line of three axes.
+constexpr std::size_t kReach = std::size_t{1} << 22;
+
+/// Writes the elements of runs as text.
+class Reverser {
+ public:
+  Reverser(const StepStream& stream, const StepReverseOptions& options)
+      : head_(stream.head), options_(options) {
+    move(head_.origin);
+  }
+
+  Result<std::string> reverse(const StepStream& stream) {
+    text_ = "G21 G90 G17 G94\n";
+    bool first = true;
+    for (const StepRun& run : stream.runs) {
+      if (Status valid = steps::check_run(head_, run); !valid) {
+        return valid.error();
+      }
+      if (run.words.empty()) continue;
+      // A rapid that goes nowhere says where the steps begin.
+      if (first) {
+        text_ += "G0";
+        position();
+        text_ += '\n';
+      }
+      first = false;
+      if (head_.axes == 3) {
+        lines3(run);
+      } else {
+        elements(run);
+      }
+      if (!in_range_) {
+        return Error{ErrorCode::out_of_range,
+                     "the steps leave the range of 2^30 steps or 100 km"};
+      }
+    }
+    return std::move(text_);
+  }
+
+ private:
+  void number(const char* word, std::int64_t steps) {
+    text_ += word;
+    append_number(text_, steps * head_.step);
+  }
+  void position() {
+    number(" X", at_[0]);
+    number(" Y", at_[1]);
+    if (head_.axes == 3) number(" Z", at_[2]);
+  }
+  void feed(const StepRun& run, std::size_t begin, std::size_t end,
+            double steps) {
+    if (run.rapid) {
+      text_ += '\n';
+      return;
+    }
+    double speed = options_.feed;
+    if (head_.clock > 0) {
+      double ticks = 0;
+      for (std::size_t i = begin; i < end; ++i) ticks += run.waits[i];
+      speed = steps * static_cast<double>(head_.step) /
+              static_cast<double>(kProgramUnitsPerMm) * 60 * head_.clock /
+              std::max(ticks, 1.0);
+    }
+    text_ += " F";
+    const double kept = std::clamp(std::round(speed), 1.0, 1e7);
+    append_number(text_, static_cast<std::int64_t>(kept) * kProgramUnitsPerMm);
+    text_ += '\n';
+  }
+
+  void move(const GridDelta& delta) {
+    // A line has at most 2^22 steps and an arc stays within 2^31 of its start:
+    // nothing overflows before it is found out of range.
+    for (std::size_t axis = 0; axis < kMaxStepAxes; ++axis) {
+      const std::int64_t at = std::int64_t{at_[axis]} + delta[axis];
+      const Int128 length = Int128{at} * head_.step;
+      if (at > kMaxCoord || at < -kMaxCoord || length > kMaxProgramLength ||
+          length < -kMaxProgramLength) {
+        in_range_ = false;
+        return;
+      }
+      at_[axis] = static_cast<std::int32_t>(at);
+    }
+  }
+
+  void put_line(const StepRun& run, std::size_t begin, std::size_t end,
+                const GridDelta& delta) {
+    text_ += run.rapid ? "G0" : "G1";
+    move(delta);
+    position();
+    const double length =
+        std::hypot(static_cast<double>(delta[0]), static_cast<double>(delta[1]),
+                   static_cast<double>(delta[2]));
+    feed(run, begin, end, length);
+  }
+
+  void put_arc(const StepRun& run, std::size_t begin,
+               const steps::ExactArc& found) {
+    const Arc& arc = found.arc;
+    text_ += arc.clockwise ? "G2" : "G3";
+    move({arc.end.x, arc.end.y, 0});
+    position();
+    number(" I", arc.centre.x);
+    number(" J", arc.centre.y);
+    const double radius = std::hypot(static_cast<double>(arc.centre.x),
+                                     static_cast<double>(arc.centre.y));
+    const double first = std::atan2(-arc.centre.y, -arc.centre.x);
+    const double last =
+        std::atan2(arc.end.y - arc.centre.y, arc.end.x - arc.centre.x);
+    double turn = arc.clockwise ? first - last : last - first;
+    if (turn <= 0) turn += 2 * std::numbers::pi;
+    feed(run, begin, begin + found.steps, radius * turn);
+  }
+
+  /// Two axes.
+  void elements(const StepRun& run) {
+    codes_.clear();
+    for (const StepWord word : run.words) {
+      codes_.push_back(steps::kCodes[word & 15]);
+    }
+    find_points();
+    steps::LineSearch lines(codes_, options_.method, kReach);
+    std::size_t tried = 0;  // arcs are looked for where lines are short
+    for (std::size_t at = 0; at < codes_.size() && in_range_;) {
+      Segment line;
+      const std::size_t count = lines.longest(at, line);
+      if (options_.arcs && !run.rapid && at >= tried) {
+        const auto arc = steps::longest_arc(
+            std::span(codes_).subspan(at), std::span(points_).subspan(at),
+            3 * count, options_.method == Method::evaluation8,
+            static_cast<double>(head_.step) /
+                static_cast<double>(kProgramUnitsPerMm));
+        if (arc) {
+          put_arc(run, at, *arc);
+          at += arc->steps;
+          continue;
+        }
+        tried = at + count / 4 + 1;
+      }
+      put_line(run, at, at + count, {line.dx, line.dy, 0});
+      at += count;
+    }
+  }
+
+  /// Relative to the run's first; steps of a run stay within 2^31 of it.
+  void find_points() {
+    points_.assign(1, Point{});
+    points_.reserve(codes_.size() + 1);
+    for (const Step code : codes_) {
+      const Point d = step_delta(code);
+      points_.push_back({points_.back().x + d.x, points_.back().y + d.y});
+    }
+  }
+
+  /// Three axes: lines of steps::Line3.
+  void lines3(const StepRun& run) {
+    for (std::size_t at = 0; at < run.words.size() && in_range_;) {
+      GridDelta delta{};
+      const std::size_t count = longest_line3(run.words, at, delta);
+      put_line(run, at, at + count, delta);
+      at += count;
+    }
+  }
+
+  static GridDelta sum3(const std::vector<StepWord>& words, std::size_t at,
+                        std::size_t count) {
+    GridDelta delta{};
+    for (std::size_t i = at; i < at + count; ++i) {
+      for (std::size_t axis = 0; axis < kMaxStepAxes; ++axis) {
+        delta[axis] += step_of(words[i], axis);
+      }
+    }
+    return delta;
+  }
+
+  /// How far the line to the end of `count` steps goes along with them; `count`
+  /// if it is drawn by them.
+  static std::size_t matched3(const std::vector<StepWord>& words,
+                              std::size_t at, std::size_t count,
+                              const GridDelta& delta) {
+    steps::Line3 line(delta);
+    if (line.count() != count) return 0;
+    std::size_t i = 0;
+    while (i < count && line.next() == words[at + i]) ++i;
+    return i;
+  }
+
+  static std::size_t longest_line3(const std::vector<StepWord>& words,
+                                   std::size_t at, GridDelta& best) {
+    const std::size_t most = std::min(words.size() - at, kReach);
+    std::size_t good = 1;
+    best = sum3(words, at, 1);
+    // Doubling while something on the way fits, then every end above the last.
+    std::size_t reach = 2;
+    while (reach / 2 <= good * 2 && reach / 2 < most) {
+      const std::size_t end = std::min(reach, most);
+      GridDelta delta = sum3(words, at, end);
+      int tries = 0;
+      for (std::size_t count = end; count > good && tries < 4096; --count) {
+        if (matched3(words, at, count, delta) == count) {
+          good = count;
+          best = delta;
+          break;
+        }
+        ++tries;
+        for (std::size_t axis = 0; axis < kMaxStepAxes; ++axis) {
+          delta[axis] -= step_of(words[at + count - 1], axis);
+        }
+      }
+      reach *= 2;
+    }
+    return good;
+  }
+
+  StepHead head_;
+  StepReverseOptions options_;
+  std::string text_;
+  std::array<std::int32_t, kMaxStepAxes> at_{};
+  bool in_range_ = true;
+  std::vector<Step> codes_;
+  std::vector<Point> points_;
+};
+
+}  // namespace
+
+Result<Program> reverse_steps(const StepStream& stream,
+                              const StepReverseOptions& options) {
+  if (Status valid = steps::check_head(stream.head); !valid) {
+    return valid.error();
+  }
+  if (options.method != Method::evaluation8 &&
+      options.method != Method::evaluation &&
+      options.method != Method::device) {
+    return Error{ErrorCode::invalid_argument,
+                 "steps are reversed for evaluation8, evaluation or device"};
+  }
+  if (!(options.feed > 0) || !(options.feed <= 1e7)) {
+    return Error{ErrorCode::out_of_range, "a feed is 0 to 10,000,000 mm/min"};
+  }
+  if (options.method != Method::evaluation8 && stream.head.axes == 2) {
+    for (const StepRun& run : stream.runs) {
+      for (const StepWord word : run.words) {
+        if ((word & 5) != 5) continue;
+        return Error{ErrorCode::invalid_argument,
+                     "two axes step at once, which only evaluation8 does"};
+      }
+    }
+  }
+  try {
+    const Result<std::string> text = Reverser(stream, options).reverse(stream);
+    if (!text) return text.error();
+    return read_gcode(*text, {});
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::limit_exceeded, "no memory for the program"};
+  }
+}
+
+}  // namespace unstep

@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+"""A second decoder of coders 1 and 2, written from docs/format.md alone.
+
+    decode_ink.py [--trace] IN.ustp OUT.pbm
+
+Reads short forms of one ink page. Plain and slow, for small drawings: it shows
+that the page is enough to write a decoder from. --trace prints every decision.
+The docstrings name the page's sections.
+"""
+import pathlib
+import sys
+import zlib
+
+from entropy import Damaged, Interval
+from shapes import Shapes
+from starts import StartModel
+from table import Table
+from turns import DX, DY, FastTurnModel, TurnModel
+
+
+class Cracks:
+    """Points, cracks, directions: (x, y, 0) is H, (x, y, 1) is V."""
+
+    def __init__(self):
+        self.known = set()
+        self.near = set()  # the points that known cracks make near
+
+    def mark(self, x, y, direction):
+        x, y, plane = self.leaving(x, y, direction)
+        self.known.add((x, y, plane))
+        self.near.update((i, j) for i in range(x - 2, x + 3)
+                         for j in range(y - 1, y + 2 + plane))
+
+    @staticmethod
+    def leaving(x, y, direction):
+        return ((x, y, 0), (x, y, 1), (x - 1, y, 0), (x, y - 1, 1))[direction]
+
+    def test(self, x, y, direction):
+        return int(self.leaving(x, y, direction) in self.known)
+
+    def H(self, x, y):
+        return int((x, y, 0) in self.known)
+
+    def V(self, x, y):
+        return int((x, y, 1) in self.known)
+
+
+class Scan:
+    """Scan and Walk."""
+
+    def __init__(self, coder, width, rows, revision):
+        self.width, self.rows, self.coder = width, rows, coder
+        self.cracks = Cracks()
+        size = width * rows
+        table = Table("small" if size < 2000000 else "large")
+        if revision == 2:
+            self.turns = FastTurnModel(self.cracks)
+        else:
+            small, middle, large, huge = ((12, 14, 17, 15), (14, 16, 19, 19)
+                                          )[revision]
+            table_bits = (small if size < 40000 else
+                          middle if size < 2000000 else
+                          large if size <= 24000000 else huge)
+            self.turns = TurnModel(self.cracks, table_bits, table)
+        self.starts = StartModel(self.cracks, table)
+        self.above = [0] * width
+
+    def run(self, image):
+        for y in range(self.rows):
+            self.starts.begin_row(y)
+            for first in range(0, self.width, 64):
+                self.word(y, range(first, min(first + 64, self.width)))
+            ink, row = 0, []
+            for x in range(self.width):
+                ink ^= self.cracks.V(x, y)
+                row.append(ink)
+            image[y] = [a | b for a, b in zip(image[y], row)]
+            self.above = row
+
+    def candidates(self, y, points, excluded):
+        """Near ones, likely ones, far ones on paper, far ones on ink."""
+        H, V = self.cracks.H, self.cracks.V
+        near, likely, far = [], [], ([], [])
+        for x in points:
+            if (x in excluded or H(x, y) or V(x, y)
+                    or V(x, y - 1) != H(x - 1, y)):
+                continue
+            if (x, y) not in self.cracks.near:
+                far[self.above[x]].append(x)
+            elif V(x, y - 1) or self.above[x] and (
+                    H(x, y - 1) or V(x - 1, y - 1) and V(x + 1, y)):
+                likely.append(x)
+            else:
+                near.append(x)
+        return near, likely, far
+
+    def word(self, y, points):
+        excluded = set()
+        for colour in (0, 1):
+            while mask := self.candidates(y, points, excluded)[2][colour]:
+                if not self.starts.far_start(self.coder, mask, colour):
+                    excluded.update(mask)
+                    break
+                self.walk(self.starts.far_index(self.coder, mask, colour), y,
+                          1 - colour)
+        while mask := self.candidates(y, points, excluded)[1]:
+            x = mask[0]
+            excluded.add(x)
+            if self.starts.near_start(self.coder, x, y, self.above[x]):
+                self.walk(x, y, 1 - self.above[x])
+        while True:
+            near, likely, _ = self.candidates(y, points, excluded)
+            mask = sorted(near + likely)
+            if not mask:
+                break
+            x = self.starts.near_first(self.coder, mask, y, self.above)
+            if x is None:
+                break
+            excluded.update(range(points[0], x + 1))
+            self.walk(x, y, 1 - self.above[x])
+
+    def walk(self, x, y, ink):
+        x0, y0, direction = x, y, 0
+        self.turns.begin(x, y, ink)
+        while True:
+            self.cracks.mark(x, y, direction)
+            x, y = x + DX[direction], y + DY[direction]
+            if (x, y) == (x0, y0):
+                return
+            allowed = []
+            for t in (0, 1, 2):
+                way = (direction + (0, 3, 1)[t]) % 4
+                inside = (x < self.width, y < self.rows, x > 0 and y > y0,
+                          y > y0)[way]
+                if inside and not self.cracks.test(x, y, way):
+                    allowed.append(t)
+            if not allowed:
+                raise Damaged("dead end")
+            t = allowed[0]
+            if len(allowed) > 1:
+                t = self.turns.turn(self.coder, x, y, allowed)
+            self.turns.advance(t)
+            direction = self.turns.direction
+
+
+def varint(data, at):
+    value = shift = 0
+    while True:
+        value |= (data[at] & 127) << shift
+        at, shift = at + 1, shift + 7
+        if data[at - 1] < 128:
+            return value, at
+
+
+def decode(data, trace=False):
+    """Start of every file, Short form. Returns width, height, rows of PBM."""
+    if data[:4] != b"\xf5\x55\x0d\x0a" or data[4] & 0xDF:
+        raise Damaged("not a short form with ink")
+    width, at = varint(data, 5)
+    height, at = varint(data, at)
+    if data[4] & 0x20:
+        unit = data[at]
+        at += 1
+        for _ in range(2 if unit & 4 else 4):
+            _, at = varint(data, at)
+    name = data[at] & 31, data[at] >> 5 & 3
+    if data[at] < 128 or name not in ((1, 0), (1, 1), (1, 2), (2, 0), (2, 1)):
+        raise Damaged("another coder than 1 and 2")
+    head, stored, payload = data[4:at + 1], data[at + 1:at + 5], data[at + 5:]
+    coder = Interval(payload, trace)
+    image = [[0] * width for _ in range(height)]
+    if name[0] == 2:
+        Shapes(coder, width, height).run(image)
+    Scan(coder, width, height, name[1]).run(image)
+    coder.check_end()
+    pbm = b""
+    for row in image:
+        digits = "".join(map(str, row)) + "0" * (-width % 8)
+        pbm += int(digits, 2).to_bytes(len(digits) // 8, "big")
+    if zlib.crc32(head + pbm) != int.from_bytes(stored, "little"):
+        raise Damaged("checksum")
+    return width, height, pbm
+
+
+def main():
+    words = [a for a in sys.argv[1:] if a != "--trace"]
+    if len(words) != 2:
+        sys.exit("usage: decode_ink.py [--trace] IN.ustp OUT.pbm")
+    try:
+        width, height, pbm = decode(pathlib.Path(words[0]).read_bytes(),
+                                    "--trace" in sys.argv)
+    except (Damaged, IndexError) as error:
+        sys.exit(f"{words[0]}: {error}")
+    pathlib.Path(words[1]).write_bytes(
+        b"P4\n%d %d\n" % (width, height) + pbm)
+
+
+if __name__ == "__main__":
+    main()
