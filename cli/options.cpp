@@ -273,6 +273,22 @@ void add_trace(CLI::App& verb, LineOptions& options) {
       ->type_name("WHAT");
 }
 
+void add_order(CLI::App& verb, LineOptions& options) {
+  verb.add_option_function<std::string>(
+          "--order",
+          [&options](const std::string& text) {
+            if (text != "travel" && text != "given") {
+              throw CLI::ValidationError(
+                  "--order", fmt::format("'{}' is not given or travel", text));
+            }
+            options.travel = text == "travel";
+          },
+          "Order of chains and lines. travel: short ways of the pen or tool "
+          "between them, open ones turned where that helps; how much is saved "
+          "is said [given]")
+      ->type_name("ORDER");
+}
+
 }  // namespace
 
 void add_quiet(CLI::App& verb, bool& quiet) {
@@ -428,6 +444,7 @@ void add_lines(CLI::App& verb, LineOptions& options) {
       ->type_name("METHOD")
       ->excludes(tolerance);
   add_trace(verb, options);
+  add_order(verb, options);
   verb.add_flag(
           "--no-arcs", [&options](std::int64_t) { options.arcs = false; },
           "With --tolerance: lines only")

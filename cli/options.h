@@ -47,6 +47,7 @@ struct LineOptions {
   Trace trace = Trace::contour;
   Quantity tolerance;
   bool arcs = true;
+  bool travel = false;  ///< order for short ways between lines
 };
 
 /// How pages become a file.
@@ -86,7 +87,7 @@ void add_pixels(CLI::App& verb, InputOptions& options);
 /// --no-verify, --bands, --meta, --effort and those of add_lines.
 void add_pack(CLI::App& verb, PackOptions& options);
 
-/// --tolerance, --reverse, --no-arcs and --trace.
+/// --tolerance, --reverse, --no-arcs, --trace and --order.
 void add_lines(CLI::App& verb, LineOptions& options);
 
 /// --effort.

@@ -157,7 +157,7 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
     page_pixels = read.ink.pixels();
     ++packed.pages;
     if (read.kind == PageKind::ink) count_ink(read, packed);
-    const Result<Page> stored =
+    Result<Page> stored =
         read.kind == PageKind::program
             ? to_stored_program(std::move(page->page), options.lines, packed,
                                 page->notes)
@@ -166,6 +166,10 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
     if (!stored) {
       return Error{stored.error().code,
                    on_page(index, count, stored.error().message)};
+    }
+    if (options.lines.travel && stored->kind != PageKind::program) {
+      const Status ordered = order_page(*stored, page->notes);
+      if (!ordered) return ordered.error();
     }
     if (const Status added = add_page(writer, *stored); !added) {
       return Error{added.error().code,

@@ -54,7 +54,9 @@ Status PageWriter::Impl::add_contours(const Page& page) {
 Status PageWriter::Impl::add_drawing(Page page,
                                      std::vector<std::string>& notes) {
   Status added;
-  if (page.kind == PageKind::ink && lines.method == LineOptions::Method::none) {
+  const bool contours = lines.method == LineOptions::Method::none &&
+                        lines.trace == LineOptions::Trace::contour;
+  if (page.kind == PageKind::ink && contours && !lines.travel) {
     added = add_contours(page);
   } else {
     Result<Page> drawn =
@@ -65,6 +67,16 @@ Status PageWriter::Impl::add_drawing(Page page,
       Result<Drawing> chains = device_chains(drawn->drawing);
       if (!chains) return chains.error();
       drawn->drawing = *std::move(chains);
+    }
+    if (drawn->kind == PageKind::ink) {
+      Result<Drawing> edges = chains_of(*drawn);
+      if (!edges) return edges.error();
+      drawn->drawing = *std::move(edges);
+      drawn->kind = PageKind::chains;
+    }
+    if (lines.travel) {
+      const Status ordered = order_page(*drawn, notes);
+      if (!ordered) return ordered;
     }
     added = vector->add_page(drawn->drawing, drawn->info);
   }

@@ -362,6 +362,29 @@ Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
   return by_tolerance(std::move(page), *tolerance, options.arcs, effort, aim);
 }
 
+Status order_page(Page& page, std::vector<std::string>& notes) {
+  if (page.kind == PageKind::ink) {
+    return Error{ErrorCode::unsupported,
+                 "--order travel needs lines or chains; ink has none without "
+                 "--tolerance or --trace"};
+  }
+  const TravelReport report = order_travel(page.drawing);
+  const Resolution& resolution = page.info.resolution;
+  double per_metre = units_of(resolution.x);
+  switch (resolution.unit) {
+    case Resolution::Unit::none: per_metre = 0; break;
+    case Resolution::Unit::inch: per_metre /= 0.0254; break;
+    case Resolution::Unit::centimetre: per_metre *= 100; break;
+    case Resolution::Unit::metre: break;
+  }
+  const bool known = per_metre > 0;
+  const double scale = known ? per_metre : 1;
+  notes.push_back(fmt::format(
+      "travel between lines is {:.4g} {} instead of {:.4g}",
+      report.after / scale, known ? "m" : "px", report.before / scale));
+  return {};
+}
+
 Result<Page> to_steps(Page page, const Quantity& grid,
                       std::uint64_t max_steps) {
   Resolution& resolution = page.info.resolution;

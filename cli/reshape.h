@@ -33,6 +33,11 @@ Result<Drawing> chains_of(const Page& page);
 Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
                       LineAim aim);
 
+/// Orders what a page of chains or paths draws for short travel; the note says
+/// how long it is before and after, in metres if the resolution is known.
+/// unsupported for a page of ink.
+Status order_page(Page& page, std::vector<std::string>& notes);
+
 /// Paths become chains on a grid of this width: 4-connected if all are filled
 /// outlines, else 8-connected. The resolution becomes that of the new grid.
 Result<Page> to_steps(Page page, const Quantity& grid, std::uint64_t max_steps);

@@ -250,6 +250,21 @@ struct GcodeWriteOptions {
   std::string footer;  ///< lines after all others, before the program's end
 };
 
+/// How far a pen or tool goes between what it draws, grid units.
+struct TravelReport {
+  double before = 0;
+  double after = 0;
+};
+
+/// Puts the paths of a drawing, and its chains, into an order of short ways
+/// between them, turning open ones where that helps; what is drawn stays the
+/// same. The way begins at (0, 0), or with y up and a canvas at its upper left
+/// corner. The nearest end first, then parts of the order are turned around and
+/// single ones moved while that helps (2-opt and or-opt). It is never longer
+/// than before. Work is bounded by the number of shapes, not by the clock: the
+/// same drawing has the same order everywhere.
+TravelReport order_travel(Drawing& drawing);
+
 /// The program as text: motions modal and with as few decimals as they need,
 /// text as it stands. The same program gives the same bytes. Where text is
 /// carried out, position and modes are those that it had in the source.

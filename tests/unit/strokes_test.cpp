@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "common/stroke_scenes.h"
+#include "trace/skeleton_graph.h"
+#include "unit/container_testing.h"
+#include "unstep/codec.h"
+#include "unstep/deviation.h"
+#include "unstep/trace.h"
+
+namespace unstep {
+namespace {
+
+using testing::ink_of;
+using testing::kSceneKinds;
+using testing::Scene;
+using testing::SceneKind;
+using testing::SceneMaker;
+
+Canvas canvas_of(const Bitmap& ink) {
+  return {ink.width(), ink.height(), YAxis::down};
+}
+
+std::vector<Stroke> traced(const Bitmap& ink) {
+  Result<std::vector<Stroke>> strokes = trace_strokes(ink);
+  EXPECT_TRUE(strokes) << strokes.error().message;
+  return strokes ? *std::move(strokes) : std::vector<Stroke>();
+}
+
+Bitmap drawn(const Bitmap& ink, const std::vector<Stroke>& strokes,
+             const Rational& tolerance) {
+  const Result<Drawing> drawing =
+      stroke_paths(strokes, canvas_of(ink), {tolerance});
+  EXPECT_TRUE(drawing) << drawing.error().message;
+  Result<Bitmap> pixels = render_paths(*drawing);
+  EXPECT_TRUE(pixels) << pixels.error().message;
+  return *std::move(pixels);
+}
+
+/// The share of strokes found as one piece with both ends within 2 pixels.
+double share_found(bool noise) {
+  std::size_t found = 0;
+  std::size_t wanted = 0;
+  for (const SceneKind kind : kSceneKinds) {
+    for (int width = 1; width <= 20; ++width) {
+      const auto seed = static_cast<std::uint32_t>(
+          width * 100 + static_cast<int>(kind) * 10'000);
+      const Scene scene = SceneMaker(kind, width, seed).make(noise);
+      found += testing::count_found(scene, traced(scene.ink), 2);
+      wanted += scene.strokes.size();
+    }
+  }
+  return static_cast<double>(found) / static_cast<double>(wanted);
+}
+
+TEST(Strokes, AreFoundInOnePieceWithTheirEnds) {
+  EXPECT_GE(share_found(false), 0.97);
+}
+
+TEST(Strokes, AreFoundInNoise) { EXPECT_GE(share_found(true), 0.93); }
+
+TEST(Strokes, HaveTheWidthOfThePen) {
+  for (int width = 1; width <= 20; ++width) {
+    const Scene scene =
+        SceneMaker(SceneKind::line, width, static_cast<std::uint32_t>(width))
+            .make(false);
+    for (const Stroke& stroke : traced(scene.ink)) {
+      ASSERT_EQ(stroke.pieces.size(), 1U) << width;
+      EXPECT_NEAR(stroke.pieces[0].width / 2.0, width, 0.75);
+    }
+  }
+}
+
+TEST(Strokes, DrawWhatTheyWereTracedFrom) {
+  for (const SceneKind kind : kSceneKinds) {
+    for (const int width : {1, 2, 5, 12}) {
+      const Scene scene =
+          SceneMaker(kind, width, static_cast<std::uint32_t>(width))
+              .make(false);
+      const std::vector<Stroke> strokes = traced(scene.ink);
+      const auto found =
+          measure_ink(scene.ink, drawn(scene.ink, strokes, {0, 1}));
+      ASSERT_TRUE(found) << found.error().message;
+      EXPECT_LE(found->worst().distance(), 3) << width;
+    }
+  }
+}
+
+TEST(Strokes, KeepACrossingAsTwoLinesAndABarAsOne) {
+  const Bitmap cross =
+      ink_of({".....#.....", ".....#.....", ".....#.....", ".....#.....",
+              ".....#.....", "###########", ".....#.....", ".....#.....",
+              ".....#.....", ".....#.....", ".....#....."});
+  EXPECT_EQ(traced(cross).size(), 2U);
+  const Bitmap tee = ink_of({"###########", ".....#.....", ".....#.....",
+                             ".....#.....", ".....#.....", ".....#....."});
+  const std::vector<Stroke> strokes = traced(tee);
+  ASSERT_EQ(strokes.size(), 2U);
+  EXPECT_EQ(strokes[0].chain.steps.size(), 10U);
+  EXPECT_EQ(strokes[1].chain.steps.size(), 5U);
+}
+
+TEST(Strokes, OfSmallThings) {
+  const std::vector<Stroke> dot = traced(ink_of({"...", ".#.", "..."}));
+  ASSERT_EQ(dot.size(), 1U);
+  EXPECT_TRUE(dot[0].chain.steps.empty());
+  EXPECT_EQ(dot[0].chain.origin, (Point{1, 1}));
+  const std::vector<Stroke> pixel = traced(ink_of({"#"}));
+  EXPECT_EQ(pixel.size(), 1U);
+  EXPECT_TRUE(traced(ink_of({"....", "...."})).empty());
+  EXPECT_FALSE(traced(ink_of({"####", "####", "####"})).empty());
+  const std::vector<Stroke> ring =
+      traced(ink_of({".###.", "#...#", "#...#", "#...#", ".###."}));
+  ASSERT_EQ(ring.size(), 1U);
+  EXPECT_TRUE(ring[0].chain.closed);
+  EXPECT_FALSE(trace_strokes(Bitmap()));
+}
+
+TEST(Strokes, TurnUpForAnyInk) {
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    Bitmap ink = *Bitmap::create(std::int64_t{1} + seed * 7 % 90,
+                                 std::int64_t{1} + seed * 11 % 60);
+    const std::uint32_t percent = seed * 17 % 100;
+    for (std::int32_t y = 0; y < ink.height(); ++y) {
+      for (std::int32_t x = 0; x < ink.width(); ++x) {
+        ink.set(x, y, random() % 100 < percent);
+      }
+    }
+    const std::vector<Stroke> strokes = traced(ink);
+    for (const Rational& tolerance :
+         {Rational{0, 1}, Rational{1, 4}, Rational{1, 1}}) {
+      const auto drawing = stroke_paths(strokes, canvas_of(ink), {tolerance});
+      ASSERT_TRUE(drawing) << drawing.error().message;
+    }
+    for (const Stroke& stroke : strokes) {
+      std::size_t steps = 0;
+      for (const Stroke::Piece& piece : stroke.pieces) {
+        EXPECT_GE(piece.width, 1);
+        steps += piece.steps;
+      }
+      EXPECT_EQ(steps, stroke.chain.steps.size()) << seed;
+    }
+  }
+}
+
+TEST(Strokes, SayThatTheirPiecesDoNotFit) {
+  Stroke stroke;
+  stroke.chain.steps = {0, 0};
+  stroke.pieces = {{3, 2}};
+  const std::vector<Stroke> strokes{stroke};
+  EXPECT_FALSE(stroke_paths(strokes, {9, 9, YAxis::down}, {}));
+}
+
+TEST(Strokes, StopWhenAsked) {
+  const Scene scene = SceneMaker(SceneKind::crossing, 9, 3).make(false);
+  const auto stopped = trace_strokes(
+      scene.ink, [](std::uint64_t, std::uint64_t) { return false; });
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+}
+
+TEST(SkeletonGraph, HasEveryPixelOnce) {
+  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+    std::mt19937 random(seed);
+    Bitmap ink = *Bitmap::create(70, 50);
+    for (int i = 0; i < 12; ++i) {
+      const auto x = static_cast<std::int32_t>(random() % 60);
+      const auto y = static_cast<std::int32_t>(random() % 40);
+      for (int k = 0; k < 60; ++k) {
+        ink.set(x + static_cast<std::int32_t>(random() % 10),
+                y + static_cast<std::int32_t>(random() % 10), true);
+      }
+    }
+    Bitmap skeleton = ink;
+    ASSERT_TRUE(thin(skeleton));
+    const auto graph = trace::graph_of(ink, skeleton);
+    ASSERT_TRUE(graph);
+    Bitmap seen = *Bitmap::create(ink.width(), ink.height());
+    std::uint64_t count = 0;
+    const auto add = [&](const std::vector<trace::Spot>& spots) {
+      for (const trace::Spot& spot : spots) {
+        seen.set(spot.at.x, spot.at.y, true);
+        ++count;
+      }
+    };
+    for (const auto& junction : graph->junctions) add(junction.spots);
+    for (const auto& branch : graph->branches) {
+      add(branch.spots);
+      for (std::size_t i = 1; i < branch.spots.size(); ++i) {
+        const Point a = branch.spots[i - 1].at;
+        const Point b = branch.spots[i].at;
+        EXPECT_TRUE(std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1);
+      }
+    }
+    EXPECT_EQ(seen, skeleton) << seed;
+    EXPECT_EQ(count, skeleton.ink()) << seed;
+  }
+}
+
+TEST(Strokes, ComeBackFromAFile) {
+  const Scene scene = SceneMaker(SceneKind::tee, 5, 11).make(true);
+  const auto drawing =
+      stroke_paths(traced(scene.ink), canvas_of(scene.ink), {{1, 1}});
+  ASSERT_TRUE(drawing);
+  UstpWriter writer{EncodeOptions{}};
+  const Fidelity fidelity{Fidelity::Kind::tolerance, {1, 1}};
+  ASSERT_TRUE(writer.add_page(*drawing, {}, fidelity));
+  const auto file = writer.finish();
+  ASSERT_TRUE(file);
+  const auto reader = UstpReader::open(*file, {});
+  ASSERT_TRUE(reader);
+  const auto page = reader->read_page(0);
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->drawing, *drawing);
+  EXPECT_EQ(page->fidelity, fidelity);
+}
+
+}  // namespace
+}  // namespace unstep
