@@ -39,13 +39,11 @@ void Carriage::tick(double duty, Noise& noise) {
   double force = duty * plant_.force_n + plant_.force_noise_n * noise.next() -
                  plant_.drag * speed_um_ / kUm;
   // Dry friction takes speed away, at most all of it.
-  const double free =
-      speed_um_ + force / plant_.mass_kg * kTickSeconds * kUm;
-  const double stopping = plant_.dry_friction_n / plant_.mass_kg *
-                          kTickSeconds * kUm;
-  speed_um_ = std::abs(free) <= stopping
-                  ? 0
-                  : free - std::copysign(stopping, free);
+  const double free = speed_um_ + force / plant_.mass_kg * kTickSeconds * kUm;
+  const double stopping =
+      plant_.dry_friction_n / plant_.mass_kg * kTickSeconds * kUm;
+  speed_um_ =
+      std::abs(free) <= stopping ? 0 : free - std::copysign(stopping, free);
   position_um_ += speed_um_ * kTickSeconds;
 }
 

@@ -28,7 +28,8 @@ struct Plant {
 };
 
 /// Numbers near the normal distribution, variance 1, within +-4.9, the same on
-/// every platform for a seed: eight uniform 16-bit numbers of SplitMix64, added.
+/// every platform for a seed: eight uniform 16-bit numbers of SplitMix64,
+/// added.
 class Noise {
  public:
   explicit Noise(std::uint64_t seed) : state_(seed) {}

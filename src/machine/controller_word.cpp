@@ -10,9 +10,9 @@ constexpr std::uint32_t kAxisLine = 1U << 25;
 }  // namespace
 
 WordBytes pack_word(const ControllerWord& word) {
-  const std::uint64_t lines =
-      kStrobe | std::uint64_t{word.address} << 28 |
-      std::uint64_t{word.function} << 26 | std::uint64_t{word.data};
+  const std::uint64_t lines = kStrobe | std::uint64_t{word.address} << 28 |
+                              std::uint64_t{word.function} << 26 |
+                              std::uint64_t{word.data};
   WordBytes bytes{};
   for (std::size_t i = 0; i < bytes.size(); ++i)
     bytes[i] = static_cast<std::uint8_t>(lines >> (8 * (4 - i)));
@@ -55,8 +55,8 @@ ControllerWord encode_command(const Command& command, std::uint32_t data) {
 }
 
 const Command* decode_command(const ControllerWord& word) {
-  const unsigned code = unsigned{word.function} << 10 |
-                        (word.address & 077U) << 3 | kLastDigit;
+  const unsigned code =
+      unsigned{word.function} << 10 | (word.address & 077U) << 3 | kLastDigit;
   return find_command(static_cast<Module>(word.address >> 6),
                       (word.data & kAxisLine) != 0 ? Axis::y : Axis::x,
                       static_cast<std::uint16_t>(code));

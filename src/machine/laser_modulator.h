@@ -11,7 +11,7 @@ namespace unstep::machine {
 class LaserModulator {
  public:
   enum class Mode : std::uint8_t { pulse, level };
-  static constexpr int kLevelBits = 10;       ///< 1024 mV, 1 mV a step
+  static constexpr int kLevelBits = 10;  ///< 1024 mV, 1 mV a step
   static constexpr std::int32_t kMaxWidthUs = 1000;
   static constexpr std::int64_t kMinPeriodNs = 2'000'000;  ///< 500 Hz
 

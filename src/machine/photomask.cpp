@@ -28,8 +28,8 @@ Status check(const MaskJob& job) {
   const std::int64_t pitch = job.pitch_pulses;
   if (pitch < 1 || pitch * std::max(job.columns, job.rows) > most)
     return refused("the grid is wider than the counter of 23 bits");
-  const double period = static_cast<double>(pitch) * kPulseUm /
-                        (job.rate * kRateUm);
+  const double period =
+      static_cast<double>(pitch) * kPulseUm / (job.rate * kRateUm);
   if (period * 1e9 < LaserModulator::kMinPeriodNs)
     return refused("more than 500 flashes a second");
   return {};
@@ -48,9 +48,11 @@ class Operator {
     for (const MaskRow& row : rows) {
       go(Axis::x, row.start);
       go(Axis::y, row.y);
-      Status status = wait([&] {
-        return zenit_.motor_done(Axis::x) && zenit_.motor_done(Axis::y);
-      }, 30 * seconds_across());
+      Status status = wait(
+          [&] {
+            return zenit_.motor_done(Axis::x) && zenit_.motor_done(Axis::y);
+          },
+          30 * seconds_across());
       if (!status) return status;
       status = expose(row);
       if (!status) return status;
@@ -145,13 +147,15 @@ MaskReport measure(const MaskJob& job, const std::vector<MaskRow>& rows,
                            ? place
                            : job.columns - 1 - place;
     const Flash& flash = zenit.flashes()[static_cast<std::size_t>(i)];
-    const double error = std::hypot(flash.x_um() - column * pitch,
-                                    flash.y_um() - row * pitch);
+    const double x = column * pitch;
+    const double y = row * pitch;
+    const double error = std::max(std::hypot(flash.x0_um - x, flash.y0_um - y),
+                                  std::hypot(flash.x1_um - x, flash.y1_um - y));
     report.worst_um = std::max(report.worst_um, error);
     squares += error * error;
-    report.smear_um =
-        std::max(report.smear_um, std::hypot(flash.x1_um - flash.x0_um,
-                                             flash.y1_um - flash.y0_um));
+    report.smear_um = std::max(
+        report.smear_um,
+        std::hypot(flash.x1_um - flash.x0_um, flash.y1_um - flash.y0_um));
   }
   report.rms_um = std::sqrt(squares / report.dots);
   return report;
@@ -186,8 +190,8 @@ Result<MaskReport> expose_mask(const MaskJob& job, const Plant& plant,
   Zenit zenit(plant, seed);
   const Status status = Operator(job, zenit).run(*rows);
   if (!status) return status.error();
-  if (zenit.flashes().size() !=
-      static_cast<std::size_t>(job.columns) * static_cast<std::size_t>(job.rows))
+  if (zenit.flashes().size() != static_cast<std::size_t>(job.columns) *
+                                    static_cast<std::size_t>(job.rows))
     return Error{ErrorCode::internal, "photomask: dots were lost"};
   return measure(job, *rows, zenit);
 }

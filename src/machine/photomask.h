@@ -35,7 +35,8 @@ struct MaskRow {
 struct MaskReport {
   int dots = 0;
   double seconds = 0;
-  double worst_um = 0;  ///< distance of a dot's middle from its grid point
+  /// From a grid point to the light, the farthest during a flash.
+  double worst_um = 0;
   double rms_um = 0;
   double smear_um = 0;  ///< the longest way during a flash
   double top_speed_um = 0;

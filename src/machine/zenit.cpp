@@ -11,15 +11,14 @@ using enum Operation;
 Zenit::Zenit(const Plant& plant, std::uint64_t seed)
     : plant_(plant),
       noise_(seed),
-      drives_{
-          Drive{Carriage(plant),
-                FringeCounter(Resolution::eighth_wave, plant.hysteresis),
-                {},
-                MotorControl(Resolution::eighth_wave)},
-          Drive{Carriage(plant),
-                FringeCounter(Resolution::eighth_wave, plant.hysteresis),
-                {},
-                MotorControl(Resolution::eighth_wave)}} {}
+      drives_{Drive{Carriage(plant),
+                    FringeCounter(Resolution::eighth_wave, plant.hysteresis),
+                    {},
+                    MotorControl(Resolution::eighth_wave)},
+              Drive{Carriage(plant),
+                    FringeCounter(Resolution::eighth_wave, plant.hysteresis),
+                    {},
+                    MotorControl(Resolution::eighth_wave)}} {}
 
 bool Zenit::write(const WordBytes& bytes) {
   const Result<ControllerWord> word = unpack_word(bytes);
@@ -66,9 +65,7 @@ std::optional<std::int32_t> Zenit::read_counter(Axis axis) {
 void Zenit::act(const Command& command, std::uint32_t data) {
   Drive& drive = at(command.axis);
   switch (command.operation) {
-    case eighth_wave:
-      set_resolution(drive, Resolution::eighth_wave);
-      return;
+    case eighth_wave: set_resolution(drive, Resolution::eighth_wave); return;
     case half_wave: set_resolution(drive, Resolution::half_wave); return;
     case load_counter: drive.counter.load(data); return;
     case reset_counter: drive.counter.reset(); return;
@@ -125,13 +122,12 @@ void Zenit::set_resolution(Drive& drive, Resolution resolution) {
 void Zenit::tick_drive(Drive& drive) {
   drive.carriage.tick(drive.duty, noise_);
   // Noise on the sinusoids shifts where they cross the thresholds.
-  const double jitter = plant_.fringe_noise * noise_.next() * kFringeUm /
-                        (2 * std::numbers::pi);
+  const double jitter =
+      plant_.fringe_noise * noise_.next() * kFringeUm / (2 * std::numbers::pi);
   drive.pulses = drive.fringes.update(drive.carriage.position_um() + jitter);
   drive.counter.add(drive.pulses, ticks_ * kTickNs);
   drive.duty = drive.motor.tick(drive.pulses);
-  top_speed_um_ =
-      std::max(top_speed_um_, std::abs(drive.carriage.speed_um()));
+  top_speed_um_ = std::max(top_speed_um_, std::abs(drive.carriage.speed_um()));
 }
 
 void Zenit::tick_laser(double x_before, double y_before) {
@@ -155,8 +151,7 @@ void Zenit::tick_laser(double x_before, double y_before) {
     light_left_ = laser_.width_us() * 1e-6;
   }
   if (!light_left_) return;
-  const double lit =
-      std::min(*light_left_, (1 - begins) * kTickSeconds);
+  const double lit = std::min(*light_left_, (1 - begins) * kTickSeconds);
   flashes_.back().x1_um += lit / kTickSeconds * dx;
   flashes_.back().y1_um += lit / kTickSeconds * dy;
   *light_left_ -= lit;

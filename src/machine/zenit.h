@@ -22,8 +22,6 @@ struct Flash {
   double y0_um = 0;
   double x1_um = 0;
   double y1_um = 0;
-  [[nodiscard]] double x_um() const { return (x0_um + x1_um) / 2; }
-  [[nodiscard]] double y_um() const { return (y0_um + y1_um) / 2; }
 };
 
 /// Time passes in tick() only; everything is deterministic for a seed.
