@@ -49,6 +49,9 @@ class MotorControl {
   void start();
   void stop() { running_ = false; }
 
+  /// Adds pulses from outside to y.
+  void feed(std::int64_t pulses) { y_ += pulses; }
+
   /// One tick in which the pulse former gave `pulses`. Returns the duty for the
   /// next, -1..1 in steps of 1/1024, 0 if stopped.
   double tick(std::int64_t pulses);

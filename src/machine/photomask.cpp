@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "machine/pilot.h"
 #include "machine/zenit.h"
 
 namespace unstep::machine {
@@ -38,7 +39,8 @@ Status check(const MaskJob& job) {
 /// A computer that runs the rows through the controller.
 class Operator {
  public:
-  Operator(const MaskJob& job, Zenit& zenit) : job_(job), zenit_(zenit) {}
+  Operator(const MaskJob& job, Zenit& zenit)
+      : job_(job), zenit_(zenit), pilot_(zenit) {}
 
   Status run(const std::vector<MaskRow>& rows) {
     zenit_.reset();
@@ -46,13 +48,10 @@ class Operator {
                    static_cast<std::uint32_t>(job_.width_us));
     zenit_.command(Operation::pulse_mode);
     for (const MaskRow& row : rows) {
-      go(Axis::x, row.start);
-      go(Axis::y, row.y);
-      Status status = wait(
-          [&] {
-            return zenit_.motor_done(Axis::x) && zenit_.motor_done(Axis::y);
-          },
-          30 * seconds_across());
+      zenit_.tick();
+      pilot_.go(Axis::x, row.start);
+      pilot_.go(Axis::y, row.y);
+      Status status = pilot_.arrive(30 * seconds_across());
       if (!status) return status;
       status = expose(row);
       if (!status) return status;
@@ -67,45 +66,25 @@ class Operator {
                    std::max(job_.columns, job_.rows) / kMaxSpeedUm;
   }
 
-  template <class Condition>
-  Status wait(Condition reached, double seconds) {
-    const double until = zenit_.seconds() + seconds;
-    while (!reached()) {
-      if (zenit_.seconds() > until)
-        return Error{ErrorCode::internal,
-                     "photomask: the carriage does not arrive"};
-      zenit_.tick();
-    }
-    return {};
-  }
-
-  std::int32_t counter(Axis axis) {
-    auto value = zenit_.read_counter(axis);
-    while (!value) {
-      zenit_.tick();
-      value = zenit_.read_counter(axis);
-    }
-    return *value;
-  }
-
-  void go(Axis axis, std::int32_t place) {
-    zenit_.tick();
-    const std::int32_t way = place - counter(axis);
-    zenit_.command(Operation::load_cr1, axis, to_direct_code(way));
-    zenit_.command(Operation::positioning, axis);
-    zenit_.command(Operation::start_motor, axis);
+  static Status flashed(bool all) {
+    if (all) return {};
+    return Error{ErrorCode::internal, "photomask: dots were lost"};
   }
 
   Status expose(const MaskRow& row) {
     const std::uint64_t before = zenit_.laser().flashes();
-    const auto flashed = [&](int dots) {
-      return zenit_.laser().flashes() >=
-             before + static_cast<std::uint64_t>(dots);
+    const auto wait_for = [&](int dots, double seconds) {
+      return flashed(pilot_.wait(
+          [&] {
+            return zenit_.laser().flashes() >=
+                   before + static_cast<std::uint64_t>(dots);
+          },
+          seconds));
     };
     zenit_.tick();
     // Where it stands is known to the pulse, so the first flash is too.
-    const auto first =
-        static_cast<std::uint32_t>(std::abs(row.first - counter(Axis::x)));
+    const auto first = static_cast<std::uint32_t>(
+        std::abs(row.first - pilot_.counter(Axis::x)));
     zenit_.command(Operation::load_dr2, Axis::x, first);
     zenit_.command(Operation::reset_cr);
     zenit_.command(Operation::laser_on);
@@ -115,11 +94,11 @@ class Operator {
     zenit_.command(Operation::start_motor);
     const double seconds =
         4 * seconds_across() * kMaxSpeedUm / (job_.rate * kRateUm);
-    Status status = wait([&] { return flashed(1); }, seconds);
+    Status status = wait_for(1, seconds);
     if (!status) return status;
     zenit_.command(Operation::load_dr2, Axis::x,
                    static_cast<std::uint32_t>(job_.pitch_pulses));
-    status = wait([&] { return flashed(job_.columns); }, seconds);
+    status = wait_for(job_.columns, seconds);
     if (!status) return status;
     // The last flash ends before the motor brakes.
     for (int tick = 0; tick * kTickSeconds * 1e6 < job_.width_us; ++tick)
@@ -130,6 +109,7 @@ class Operator {
 
   const MaskJob& job_;
   Zenit& zenit_;
+  Pilot pilot_;
 };
 
 MaskReport measure(const MaskJob& job, const std::vector<MaskRow>& rows,

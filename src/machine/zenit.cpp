@@ -158,6 +158,11 @@ void Zenit::tick_laser(double x_before, double y_before) {
   if (*light_left_ <= 0) light_left_.reset();
 }
 
+bool Zenit::saturated() const {
+  return std::ranges::any_of(
+      drives_, [](const Drive& drive) { return std::abs(drive.duty) >= 1; });
+}
+
 void Zenit::tick() {
   ++ticks_;
   const double x = drives_[0].carriage.position_um();

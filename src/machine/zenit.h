@@ -50,6 +50,10 @@ class Zenit {
                std::uint32_t data = 0);
   std::optional<std::int32_t> read_counter(Axis axis);
 
+  /// Pulses of an interpolator outside, in place of the rate multiplier's; for
+  /// a motor at constant speed. Our addition: the table has no code for it.
+  void feed(Axis axis, std::int64_t pulses) { at(axis).motor.feed(pulses); }
+
   void tick();
 
   /// An interrupt line of ours; the table has no code that asks for it.
@@ -65,6 +69,13 @@ class Zenit {
   [[nodiscard]] double speed_um(Axis axis) const {
     return at(axis).carriage.speed_um();
   }
+  [[nodiscard]] std::int64_t motor_error(Axis axis) const {
+    return at(axis).motor.error();
+  }
+  /// Pulses of the pulse former in the last tick.
+  [[nodiscard]] std::int64_t pulses(Axis axis) const { return at(axis).pulses; }
+  /// A motor is at full duty.
+  [[nodiscard]] bool saturated() const;
   [[nodiscard]] double top_speed_um() const { return top_speed_um_; }
   [[nodiscard]] const LaserModulator& laser() const { return laser_; }
   [[nodiscard]] const std::vector<Flash>& flashes() const { return flashes_; }
