@@ -28,5 +28,6 @@ void add_info(CLI::App& app, Context& context);
 void add_batch(CLI::App& app, Context& context);
 void add_interpolate(CLI::App& app, Context& context);
 void add_reverse(CLI::App& app, Context& context);
+void add_simulate(CLI::App& app, Context& context);
 
 }  // namespace unstep::cli

@@ -32,8 +32,9 @@ struct FollowReport {
   std::uint64_t steps = 0;
   double worst_um = 0;  ///< from the carriage to the commanded path, lit
   double rms_um = 0;
-  double peak_steps_hz = 0;  ///< unit steps commanded, a second
-  double top_speed_um = 0;   ///< of an axis, per second
+  double peak_steps_hz = 0;   ///< unit steps commanded, a second
+  double peak_pulses_hz = 0;  ///< of a pulse former, within a tick
+  double top_speed_um = 0;    ///< of an axis, per second
   BrokenLimits broken;
 };
 
