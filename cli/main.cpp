@@ -22,7 +22,7 @@ namespace {
 /// The verbs, in the order of --help.
 constexpr std::initializer_list<AddVerb> kVerbs = {
     add_compress, add_decompress,  add_convert, add_verify, add_info,
-    add_batch,    add_interpolate, add_reverse, add_steps};
+    add_batch,    add_interpolate, add_reverse, add_steps,  add_simulate};
 
 /// The name of the verb the user chose, to point at its help.
 std::string help_command(const CLI::App& app) {

@@ -29,5 +29,6 @@ void add_batch(CLI::App& app, Context& context);
 void add_interpolate(CLI::App& app, Context& context);
 void add_steps(CLI::App& app, Context& context);
 void add_reverse(CLI::App& app, Context& context);
+void add_simulate(CLI::App& app, Context& context);
 
 }  // namespace unstep::cli

@@ -100,9 +100,11 @@ std::vector<VcdProbe> VcdReader::matches(std::string_view name) const {
     if (is_new && probes.size() < 2) probes.push_back(probe);
   };
   const std::size_t bracket = name.rfind('[');
-  const std::optional<vcd::Range> range =
-      bracket == std::string_view::npos ? std::nullopt
-                                        : parse_range(name.substr(bracket));
+  std::int64_t index = -1;  // of the bit of a vector that is named
+  if (bracket != std::string_view::npos) {
+    const std::optional<vcd::Range> range = parse_range(name.substr(bracket));
+    if (range && range->left == range->right) index = range->left;
+  }
   for (const bool whole : {true, false}) {
     for (const VcdSignal& signal : signals_) {
       const auto fits = [&](std::string_view wanted) {
@@ -110,9 +112,9 @@ std::vector<VcdProbe> VcdReader::matches(std::string_view name) const {
       };
       if (fits(name)) {
         if (signal.width == 1) add(signal.net, 0);
-      } else if (range && range->left == range->right && signal.width > 1 &&
+      } else if (index >= 0 && signal.width > 1 &&
                  fits(name.substr(0, bracket))) {
-        const std::int64_t bit = std::abs(range->left - signal.right);
+        const std::int64_t bit = std::abs(index - signal.right);
         if (bit < signal.width)
           add(signal.net, static_cast<std::uint64_t>(bit));
       }
