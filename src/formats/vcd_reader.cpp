@@ -100,10 +100,12 @@ std::vector<VcdProbe> VcdReader::matches(std::string_view name) const {
     if (is_new && probes.size() < 2) probes.push_back(probe);
   };
   const std::size_t bracket = name.rfind('[');
-  std::int64_t index = -1;  // of the bit of a vector that is named
+  bool indexed = false;  // whether the name is that of a bit of a vector
+  std::int64_t index = 0;
   if (bracket != std::string_view::npos) {
     const std::optional<vcd::Range> range = parse_range(name.substr(bracket));
-    if (range && range->left == range->right) index = range->left;
+    indexed = range && range->left == range->right;
+    if (indexed) index = range->left;
   }
   for (const bool whole : {true, false}) {
     for (const VcdSignal& signal : signals_) {
@@ -112,7 +114,7 @@ std::vector<VcdProbe> VcdReader::matches(std::string_view name) const {
       };
       if (fits(name)) {
         if (signal.width == 1) add(signal.net, 0);
-      } else if (index >= 0 && signal.width > 1 &&
+      } else if (indexed && signal.width > 1 &&
                  fits(name.substr(0, bracket))) {
         const std::int64_t bit = std::abs(index - signal.right);
         if (bit < signal.width)
