@@ -18,7 +18,7 @@ class Usage(harness.CliTest):
 
     def test_every_verb_has_examples_and_exit_codes(self):
         for verb in ["compress", "decompress", "verify", "info", "batch",
-                     "interpolate", "reverse"]:
+                     "interpolate", "reverse", "simulate"]:
             out = self.expect([verb, "--help"]).out
             self.assertIn("Examples:\n  unstep " + verb, out)
             self.assertIn("Exit codes:\n", out)

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Runs `unstep simulate` as a user would. UNSTEP_PROGRAM names it."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["UNSTEP_PROGRAM"]
+
+SQUARE = b"canvas 60 60 down\nclosed4 10 10: " + b" ".join(
+    [b"0"] * 40 + [b"6"] * 40 + [b"4"] * 40 + [b"2"] * 40) + b"\n"
+
+
+class Simulate(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="unstep-cli-")
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.drawing = self.path("square.fc")
+        with open(self.drawing, "wb") as file:
+            file.write(SQUARE)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_it(self, *words):
+        return subprocess.run([PROGRAM, "simulate", self.drawing, *words],
+                              capture_output=True, check=False)
+
+    def report(self, *words):
+        done = self.run_it("--json", *words)
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        return json.loads(done.stdout)
+
+    def test_zenit_reports_time_error_and_peaks(self):
+        report = self.report()
+        self.assertEqual(report["steps"], 160)
+        self.assertAlmostEqual(report["lit_seconds"], 0.64, delta=0.3)
+        self.assertEqual(report["peak_steps_per_second"], 250)
+        self.assertLess(report["rms_um"], report["worst_um"])
+        self.assertLess(report["worst_um"], 6)
+        self.assertEqual(report["limits_broken"], [])
+        self.assertEqual(report, self.report())
+        self.assertNotEqual(report, self.report("--seed", "2"))
+        self.assertIn(b"limits broken: none\n", self.run_it().stdout)
+
+    def test_too_fast_breaks_limits(self):
+        report = self.report("--speed", "15")
+        self.assertIn("an axis is sent faster than 10 mm/s",
+                      report["limits_broken"])
+        self.assertIn(b"limit broken: ", self.run_it("--speed", "15").stdout)
+
+    def test_plot_and_exposure_are_written(self):
+        plot, image = self.path("plot.svg"), self.path("plate.pbm")
+        report = self.report("--plot", plot, "--exposure", image)
+        with open(plot, encoding="ascii") as file:
+            svg = file.read()
+        self.assertTrue(svg.startswith("<svg "))
+        self.assertIn("M10 10L50 10L50 50L10 50L10 10", svg)
+        with open(image, "rb") as file:
+            self.assertTrue(file.read().startswith(b"P4\n60 60\n"))
+        self.assertLess(report["ink"]["worst_units"], 3)
+        self.assertEqual(report["ink"]["lost"], 0)
+        again = self.run_it("--plot", plot)
+        self.assertEqual(again.returncode, 4)
+        self.assertEqual(self.run_it("--plot", plot, "--force").returncode, 0)
+
+    def test_esu_scans_within_its_instability(self):
+        report = self.report("--machine", "esu", "--exposure",
+                             self.path("film.png"))
+        self.assertAlmostEqual(report["seconds"], 0.036)
+        self.assertLess(report["ink"]["worst_units"], 5)
+        self.assertTrue(os.path.exists(self.path("film.png")))
+
+    def test_wrong_usage(self):
+        for words in (["--machine", "lathe"], ["--speed", "0"],
+                      ["--machine", "esu", "--plot", self.path("a.svg")],
+                      ["--exposure", self.path("a.svg")], ["--page", "2"]):
+            done = self.run_it(*words)
+            self.assertEqual(done.returncode, 2, words)
+            self.assertEqual(done.stdout, b"")
+        self.assertEqual(os.listdir(self.folder), ["square.fc"])
+
+
+if __name__ == "__main__":
+    unittest.main()
