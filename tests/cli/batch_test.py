@@ -175,7 +175,8 @@ class Batch(harness.CliTest):
             "status": "done",
             "input_bytes": os.path.getsize(self.path("in/a.pbm")),
             "output_bytes": os.path.getsize(self.path("out/a.pbm.ustp")),
-            "pages": 1, "pixels": 1200, "lossless": True, "notes": []})
+            "pages": 1, "pixels": 1200, "lossless": True,
+            "pixel_work": [], "notes": []})
         self.expect_error(
             ["batch", "in", "-o", "out", "--report", "log.json"], 4,
             "unstep: log.json: exists; --force overwrites it\n")

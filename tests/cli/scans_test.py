@@ -77,7 +77,7 @@ class Scans(harness.CliTest):
                 "auto: local threshold, paper is "), file)
         result = self.run_cli("batch", "in", "-o", "out", "--threshold",
                               "auto", "--resume")
-        self.assertIn("3 skipped", result.out)
+        self.assertIn("3 finished before", result.out)
 
     @unittest.skipUnless(shutil.which("pdfimages"), "needs poppler-utils")
     def test_a_pdf_of_lines_is_refused(self):

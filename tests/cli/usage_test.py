@@ -91,7 +91,7 @@ class Usage(harness.CliTest):
 
     def test_bad_kind_and_format(self):
         self.bad_option("--from", "pdf", "'pdf' is not raster, svg, dxf, hpgl, "
-                        "json or freeman")
+                        "json, freeman, csv, vcd, sr, raw2 or raw4")
         self.expect_error(
             ["decompress", "a.ustp", "--to", "jpg"], 2,
             "unstep: --to: 'jpg' is not png, pbm, tif, svg, dxf, pdf, hpgl, "
