@@ -61,7 +61,8 @@ std::size_t file_size(const Content& content, const Fidelity* fidelity,
   return bytes ? bytes->size() : std::numeric_limits<std::size_t>::max();
 }
 
-/// Drawings of more elements are not encoded just to be compared.
+/// Drawings of more lines keep to lines: there arcs cost more than they save,
+/// and two searches take their time.
 constexpr std::size_t kFewElements = 3'000;
 
 std::size_t count_elements(const Drawing& drawing) {
@@ -70,22 +71,22 @@ std::size_t count_elements(const Drawing& drawing) {
   return count;
 }
 
-/// Lines for a .ustp file: whichever is smaller with or without arcs.
+/// Lines for a .ustp file; of a small drawing with arcs if that is smaller.
 Result<Drawing> cheapest_lines(const Drawing& chains,
                                ToleranceOptions options) {
+  const bool arcs = options.arcs;
   options.aim = LineAim::few_bytes;
-  Result<Drawing> best = reverse_tolerance(chains, options);
-  if (!best || !options.arcs || count_elements(*best) > kFewElements) {
-    return best;
-  }
   options.arcs = false;
   Result<Drawing> lines = reverse_tolerance(chains, options);
-  if (!lines) return lines;
+  if (!lines || !arcs || count_elements(*lines) > kFewElements) return lines;
+  options.arcs = true;
+  Result<Drawing> mixed = reverse_tolerance(chains, options);
+  if (!mixed) return mixed;
   const Fidelity fidelity{Fidelity::Kind::tolerance, options.tolerance};
   return file_size(*lines, &fidelity, options.effort) <
-                 file_size(*best, &fidelity, options.effort)
-             ? lines
-             : best;
+                 file_size(*mixed, &fidelity, options.effort)
+             ? std::move(lines)
+             : std::move(mixed);
 }
 
 /// Whether the steps themselves are cheaper than their lines, as they are for

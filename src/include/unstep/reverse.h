@@ -194,8 +194,9 @@ struct ToleranceOptions {
   Effort effort = Effort::standard;
   bool arcs = true;  ///< arcs where one replaces several lines
   /// few_bytes: vertices are free, and closed paths start at their topmost
-  /// vertex, where the coder of paths begins. It takes ten to a hundred times
-  /// as long as one pass. fast: few_lines. max: more is tried, twice as long.
+  /// vertex, where the coder of paths begins. It takes a hundred times as long
+  /// as one pass or more. fast: few_lines. max: more is tried, several times as
+  /// long.
   LineAim aim = LineAim::few_lines;
 };
 
