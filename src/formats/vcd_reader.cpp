@@ -114,8 +114,7 @@ std::vector<VcdProbe> VcdReader::matches(std::string_view name) const {
       };
       if (fits(name)) {
         if (signal.width == 1) add(signal.net, 0);
-      } else if (indexed && signal.width > 1 &&
-                 fits(name.substr(0, bracket))) {
+      } else if (indexed && signal.width > 1 && fits(name.substr(0, bracket))) {
         const std::int64_t bit = std::abs(index - signal.right);
         if (bit < signal.width)
           add(signal.net, static_cast<std::uint64_t>(bit));

@@ -27,12 +27,9 @@ struct TrueStroke {
 };
 
 enum class SceneKind { line, arc, crossing, tee, ring, dot };
-inline constexpr std::array kSceneKinds{SceneKind::line,
-                                        SceneKind::arc,
-                                        SceneKind::crossing,
-                                        SceneKind::tee,
-                                        SceneKind::ring,
-                                        SceneKind::dot};
+inline constexpr std::array kSceneKinds{SceneKind::line,     SceneKind::arc,
+                                        SceneKind::crossing, SceneKind::tee,
+                                        SceneKind::ring,     SceneKind::dot};
 
 struct Scene {
   Bitmap ink;
