@@ -36,7 +36,7 @@ using StepWord = std::uint8_t;
 
 /// -1, 0 or 1.
 [[nodiscard]] constexpr int step_of(StepWord word, std::size_t axis) {
-  const unsigned bits = word >> (2 * axis) & 3U;
+  const unsigned bits = unsigned{word} >> (2 * axis) & 3U;
   return bits == 0 ? 0 : bits == 1 ? 1 : -1;
 }
 

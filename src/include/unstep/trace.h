@@ -65,8 +65,8 @@ struct Stroke {
 /// dot. Ends are where a pen with a round tip would stop to reach as far as the
 /// ink does. Widths come from the distances to paper; where they change by more
 /// than two pixels a stroke has pieces. Ink that these strokes miss by more
-/// than two pixels (blots on lines, filled shapes) is dotted with pens that
-/// reach its edge, at the end of the list.
+/// than 2.24 pixels, or by 2 where four pixels are (blots on lines, filled
+/// shapes), is dotted with pens that reach its edge, at the end of the list.
 ///
 /// The same ink gives the same strokes on every machine. invalid_argument for
 /// an empty bitmap, limit_exceeded for a skeleton of more than 2^31 pixels.
