@@ -195,9 +195,11 @@ static inline uint8_t unstep_steps_correct(unstep_steps* s) {
   uint8_t word = 0;
   /* Backwards is the other bit of an axis that steps. */
   if (s->a < s->end_a) ++s->a, word = s->word_a;
-  if (s->a > s->end_a) --s->a, word = s->word_a ^ (s->word_a & 5) << 1;
+  if (s->a > s->end_a)
+    --s->a, word = (uint8_t)(s->word_a ^ (s->word_a & 5) << 1);
   if (s->b > s->end_b) --s->b, word |= s->word_b;
-  if (s->b < s->end_b) ++s->b, word |= s->word_b ^ (s->word_b & 5) << 1;
+  if (s->b < s->end_b)
+    ++s->b, word |= (uint8_t)(s->word_b ^ (s->word_b & 5) << 1);
   return word;
 }
 
@@ -222,8 +224,8 @@ static inline uint8_t unstep_steps_next_arc(unstep_steps* s) {
     unstep_steps_target(s);
   }
   if (s->walked) return unstep_steps_correct(s);
-  fa = s->f + ((uint16_t)s->a << 1 | 1);
-  fb = s->f - ((uint16_t)s->b << 1) + 1;
+  fa = s->f + (uint32_t)((uint16_t)s->a << 1 | 1);
+  fb = s->f - (uint32_t)((uint16_t)s->b << 1) + 1;
   fab = fa + fb - s->f;
   only_a = unstep_steps_size(fa);
   only_b = unstep_steps_size(fb);

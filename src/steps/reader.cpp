@@ -87,7 +87,8 @@ class Binary {
     for (std::uint64_t i = 0; i < count; ++i) {
       const auto at = static_cast<std::size_t>(i);
       const unsigned word =
-          axes == 3 ? packed[at] : packed[at / 2] >> (at % 2 * 4) & 15U;
+          axes == 3 ? packed[at]
+                    : unsigned{packed[at / 2]} >> (at % 2 * 4) & 15U;
       if (!is_step_word(word, axes)) {
         in_.fail(ErrorCode::corrupt, in_.position(), "a word that is no step");
         return in_.error();
