@@ -51,19 +51,20 @@ Result<bool> draw_well(const Bitmap& ink, const Page& strokes,
   return found->worst().distance() <= reach;
 }
 
-Result<Page> by_contours(Page page, LineOptions options, Effort effort) {
+Result<Page> by_contours(Page page, LineOptions options, Effort effort,
+                         LineAim aim) {
   options.trace = LineOptions::Trace::contour;
-  return to_lines(std::move(page), options, effort, LineAim::few_lines);
+  return to_lines(std::move(page), options, effort, aim);
 }
 
 /// Which of the two is simpler; the contours' lines if the ink says so.
 Result<Page> choose(Page page, Page strokes, const Rational& tolerance,
-                    const LineOptions& options, Effort effort) {
+                    const LineOptions& options, Effort effort, LineAim aim) {
   const Result<bool> well = draw_well(page.ink, strokes, tolerance);
   if (!well) return well.error();
   const bool exact = options.method == LineOptions::Method::none;
   if (exact) return *well ? std::move(strokes) : std::move(page);
-  Result<Page> contours = by_contours(std::move(page), options, effort);
+  Result<Page> contours = by_contours(std::move(page), options, effort, aim);
   if (!contours || !*well) return contours;
   return weight(strokes.drawing) < weight(contours->drawing)
              ? std::move(strokes)
@@ -102,7 +103,20 @@ void append_layer(const Bitmap& ink, const Bitmap& other, bool both,
 
 }  // namespace
 
-Result<Page> to_strokes(Page page, const LineOptions& options, Effort effort) {
+Status warn_of_strokes(const Bitmap& ink, const Page& strokes,
+                       std::vector<std::string>& notes) {
+  const Result<bool> well = draw_well(ink, strokes, strokes.fidelity.tolerance);
+  if (!well) return well.error();
+  if (!*well) {
+    notes.emplace_back(
+        "strokes are not what this ink is: some of it is far off what they "
+        "draw; verify says how far, --trace auto keeps contours where it is");
+  }
+  return {};
+}
+
+Result<Page> to_strokes(Page page, const LineOptions& options, Effort effort,
+                        LineAim aim) {
   if (options.method == LineOptions::Method::device) {
     return Error{ErrorCode::invalid_argument,
                  "the device draws contours and chains, no centrelines; leave "
@@ -120,7 +134,7 @@ Result<Page> to_strokes(Page page, const LineOptions& options, Effort effort) {
     return strokes;
   }
   return choose(std::move(page), *std::move(strokes), tolerance, options,
-                effort);
+                effort, aim);
 }
 
 bool is_strokes(const Page& page) {

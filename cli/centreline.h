@@ -1,12 +1,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/options.h"
 #include "unstep/bitmap.h"
 #include "unstep/codec.h"
 #include "unstep/deviation.h"
 #include "unstep/result.h"
+#include "unstep/reverse.h"
 
 /// Ink as strokes along its middle, and how well they draw it.
 namespace unstep::cli {
@@ -17,7 +19,12 @@ namespace unstep::cli {
 /// more than 2.5 pixels and the tolerance off, or if strokes are no simpler
 /// than contours.
 /// REQUIRES: a page of ink, not Trace::contour.
-Result<Page> to_strokes(Page page, const LineOptions& options, Effort effort);
+Result<Page> to_strokes(Page page, const LineOptions& options, Effort effort,
+                        LineAim aim);
+
+/// Adds a note if strokes draw the ink worse than Trace::automatic accepts.
+Status warn_of_strokes(const Bitmap& ink, const Page& strokes,
+                       std::vector<std::string>& notes);
 
 /// Whether a page of paths is strokes that stand for ink.
 [[nodiscard]] bool is_strokes(const Page& page);

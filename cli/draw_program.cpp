@@ -88,19 +88,11 @@ void add_draw(CLI::App& verb, DrawOptions& options) {
                   "Drawing to program: S of the laser [1000]")
       ->check(CLI::NonNegativeNumber)
       ->type_name("S");
-  const auto add_lines_option = [&verb](const char* name, std::string& lines,
-                                        const char* help) {
-    verb.add_option_function<std::string>(
-            name,
-            [&lines](const std::string& text) { lines = program_lines(text); },
-            help)
-        ->type_name("TEXT");
-  };
-  add_lines_option("--tool-on", draw.tool_on,
-                   "Drawing to program: lines before each path instead of "
-                   "the profile's; \\n between them");
-  add_lines_option("--tool-off", draw.tool_off,
-                   "Drawing to program: lines after each path");
+  add_program_lines(verb, "--tool-on", draw.tool_on,
+                    "Drawing to program: lines before each path instead of "
+                    "the profile's; \\n between them");
+  add_program_lines(verb, "--tool-off", draw.tool_off,
+                    "Drawing to program: lines after each path");
 }
 
 Status set_unit_size(DrawOptions& options, const Resolution& resolution,

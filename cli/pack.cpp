@@ -10,6 +10,7 @@
 #include "cli/message.h"
 #include "cli/program.h"
 #include "cli/reshape.h"
+#include "cli/stored_size.h"
 
 namespace unstep::cli {
 namespace {
@@ -44,19 +45,6 @@ void count_ink(const Page& page, Packed& packed) {
   packed.height = ink.height();
 }
 
-/// Bytes of a file of this program alone.
-Result<std::size_t> stored_size(const Page& page) {
-  EncodeOptions options;
-  options.verify = false;
-  UstpWriter writer(options);
-  if (Status added = writer.add_program(page.program, {}); !added) {
-    return added.error();
-  }
-  const Result<std::vector<std::uint8_t>> file = writer.finish();
-  if (!file) return file.error();
-  return file->size();
-}
-
 /// A program in the form that takes the least room, shortened if the lines say
 /// so.
 Result<Page> to_stored_program(Page page, const LineOptions& lines,
@@ -74,11 +62,13 @@ Result<Page> to_stored_program(Page page, const LineOptions& lines,
   if (lines.method == LineOptions::Method::tolerance) {
     // Fewer motions with other numbers can take more room.
     Page shorter;
+    shorter.kind = PageKind::program;
+    shorter.info = page.info;
     written = write_program(*std::move(program), options, lines);
     if (!written) return written.error();
     shorter.program = std::move(written->text);
-    const Result<std::size_t> whole = stored_size(page);
-    const Result<std::size_t> less = stored_size(shorter);
+    const Result<std::size_t> whole = stored_size(page, Effort::standard);
+    const Result<std::size_t> less = stored_size(shorter, Effort::standard);
     if (!whole) return whole.error();
     if (!less) return less.error();
     if (*less < *whole) page.program = std::move(shorter.program);
@@ -92,15 +82,6 @@ Result<Page> to_stored_program(Page page, const LineOptions& lines,
   }
   packed.fidelity = page.fidelity;
   return page;
-}
-
-Status add_page(UstpWriter& writer, const Page& page) {
-  if (page.kind == PageKind::program) {
-    return writer.add_program(page.program, page.info, page.fidelity);
-  }
-  return page.kind == PageKind::ink
-             ? writer.add_page(page.ink, page.info)
-             : writer.add_page(page.drawing, page.info, page.fidelity);
 }
 
 double share(std::uint64_t done, std::uint64_t total) {
@@ -157,6 +138,11 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
     page_pixels = read.ink.pixels();
     ++packed.pages;
     if (read.kind == PageKind::ink) count_ink(read, packed);
+    Bitmap traced;
+    if (read.kind == PageKind::ink &&
+        options.lines.trace == LineOptions::Trace::centreline) {
+      traced = read.ink;
+    }
     Result<Page> stored =
         read.kind == PageKind::program
             ? to_stored_program(std::move(page->page), options.lines, packed,
@@ -167,11 +153,18 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
       return Error{stored.error().code,
                    on_page(index, count, stored.error().message)};
     }
+    if (traced.width() > 0) {
+      const Status warned = warn_of_strokes(traced, *stored, page->notes);
+      if (!warned) {
+        return Error{warned.error().code,
+                     on_page(index, count, warned.error().message)};
+      }
+    }
     if (options.lines.travel && stored->kind != PageKind::program) {
       const Status ordered = order_page(*stored, page->notes);
       if (!ordered) return ordered.error();
     }
-    if (const Status added = add_page(writer, *stored); !added) {
+    if (const Status added = store_page(writer, *stored); !added) {
       return Error{added.error().code,
                    on_page(index, count, added.error().message)};
     }

@@ -151,6 +151,15 @@ bool names_program(const std::string& path) {
   return format_of_name(path) == OutputFormat::program;
 }
 
+void add_program_lines(CLI::App& verb, const char* name, std::string& lines,
+                       const char* help) {
+  verb.add_option_function<std::string>(
+          name,
+          [&lines](const std::string& text) { lines = program_lines(text); },
+          help)
+      ->type_name("TEXT");
+}
+
 void add_program(CLI::App& verb, ProgramOptions& options) {
   add_choice<GcodeProfile>(verb, "--profile", options.write.profile,
                            {{"linuxcnc", GcodeProfile::linuxcnc},
@@ -191,18 +200,10 @@ void add_program(CLI::App& verb, ProgramOptions& options) {
                            {"off", BlockDelete::execute}},
                           "Programs: lines with \"/\" are left out: on, "
                           "carried out: off, kept as they are: keep [keep]");
-  const auto add_lines_option = [&verb](const char* name, std::string& lines,
-                                        const char* help) {
-    verb.add_option_function<std::string>(
-            name,
-            [&lines](const std::string& text) { lines = program_lines(text); },
-            help)
-        ->type_name("TEXT");
-  };
-  add_lines_option("--header", options.write.header,
-                   "Programs: lines before all others; \\n between them");
-  add_lines_option("--footer", options.write.footer,
-                   "Programs: lines before the end");
+  add_program_lines(verb, "--header", options.write.header,
+                    "Programs: lines before all others; \\n between them");
+  add_program_lines(verb, "--footer", options.write.footer,
+                    "Programs: lines before the end");
   verb.add_flag(
       "--dense", [&options](std::int64_t) { options.write.blanks = false; },
       "Programs: no blanks between words");

@@ -28,6 +28,10 @@ struct ProgramOptions {
 /// The text of an option with its "\n" as new lines.
 [[nodiscard]] std::string program_lines(const std::string& text);
 
+/// An option whose value goes to `lines` by program_lines().
+void add_program_lines(CLI::App& verb, const char* name, std::string& lines,
+                       const char* help);
+
 /// --profile, --units, --decimals, --arc-words, --quadrants, --strict,
 /// --block-delete, --header, --footer and --dense.
 void add_program(CLI::App& verb, ProgramOptions& options);

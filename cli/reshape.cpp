@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 
 #include "cli/centreline.h"
+#include "cli/stored_size.h"
 #include "unstep/codec.h"
 #include "unstep/deviation.h"
 #include "unstep/interpolate.h"
@@ -42,25 +41,6 @@ Result<Rational> fraction_below(double value) {
   return Rational{numerator / common, kParts / common};
 }
 
-/// Bytes of a file of this page alone.
-template <class Content>
-std::size_t file_size(const Content& content, const Fidelity* fidelity,
-                      Effort effort) {
-  EncodeOptions options;
-  options.verify = false;
-  options.effort = effort;
-  UstpWriter writer(options);
-  Status added;
-  if constexpr (std::is_same_v<Content, Drawing>) {
-    added = writer.add_page(content, {}, fidelity ? *fidelity : Fidelity{});
-  } else {
-    added = writer.add_page(content, {});
-  }
-  if (!added) return std::numeric_limits<std::size_t>::max();
-  const auto bytes = writer.finish();
-  return bytes ? bytes->size() : std::numeric_limits<std::size_t>::max();
-}
-
 /// Drawings of more lines keep to lines: there arcs cost more than they save,
 /// and two searches take their time.
 constexpr std::size_t kFewElements = 3'000;
@@ -71,32 +51,44 @@ std::size_t count_elements(const Drawing& drawing) {
   return count;
 }
 
-/// Lines for a .ustp file; of a small drawing with arcs if that is smaller.
-Result<Drawing> cheapest_lines(const Drawing& chains,
-                               ToleranceOptions options) {
+Page page_of_lines(const PageInfo& info, const Rational& tolerance,
+                   Drawing lines) {
+  Page page;
+  page.kind = PageKind::paths;
+  page.info = info;
+  page.fidelity = {Fidelity::Kind::tolerance, tolerance};
+  page.drawing = std::move(lines);
+  return page;
+}
+
+/// Lines for a .ustp file; of a small drawing with arcs if that is smaller,
+/// and the page itself if nothing is, as it is with noise.
+Result<Page> cheapest_lines(Page page, const Drawing& chains,
+                            ToleranceOptions options) {
   const bool arcs = options.arcs;
   options.aim = LineAim::few_bytes;
   options.arcs = false;
   Result<Drawing> lines = reverse_tolerance(chains, options);
-  if (!lines || !arcs || count_elements(*lines) > kFewElements) return lines;
-  options.arcs = true;
-  Result<Drawing> mixed = reverse_tolerance(chains, options);
-  if (!mixed) return mixed;
-  const Fidelity fidelity{Fidelity::Kind::tolerance, options.tolerance};
-  return file_size(*lines, &fidelity, options.effort) <
-                 file_size(*mixed, &fidelity, options.effort)
-             ? std::move(lines)
-             : std::move(mixed);
-}
-
-/// Whether the steps themselves are cheaper than their lines, as they are for
-/// small drawings and for noise.
-bool exact_is_smaller(const Page& page, const Drawing& paths,
-                      const Fidelity& fidelity, Effort effort) {
-  const std::size_t lines = file_size(paths, &fidelity, effort);
-  return page.kind == PageKind::ink
-             ? file_size(page.ink, nullptr, effort) <= lines
-             : file_size(page.drawing, nullptr, effort) <= lines;
+  if (!lines) return lines.error();
+  const bool few = count_elements(*lines) <= kFewElements;
+  Page best = page_of_lines(page.info, options.tolerance, *std::move(lines));
+  Result<std::size_t> least = stored_size(best, options.effort);
+  if (!least) return least.error();
+  if (arcs && few) {
+    options.arcs = true;
+    Result<Drawing> mixed = reverse_tolerance(chains, options);
+    if (!mixed) return mixed.error();
+    Page other = page_of_lines(page.info, options.tolerance, *std::move(mixed));
+    const Result<std::size_t> size = stored_size(other, options.effort);
+    if (!size) return size.error();
+    if (*size <= *least) {
+      best = std::move(other);
+      least = *size;
+    }
+  }
+  const Result<std::size_t> exact = stored_size(page, options.effort);
+  if (!exact) return exact.error();
+  return *exact <= *least ? std::move(page) : std::move(best);
 }
 
 Result<Page> by_tolerance(Page page, const Rational& tolerance, bool arcs,
@@ -104,21 +96,20 @@ Result<Page> by_tolerance(Page page, const Rational& tolerance, bool arcs,
   Result<Drawing> chains = chains_of(page);
   if (!chains) return chains.error();
   const ToleranceOptions options{tolerance, effort, arcs};
-  const bool cheap = aim == LineAim::few_bytes && effort != Effort::fast;
-  Result<Drawing> paths = cheap ? cheapest_lines(*chains, options)
-                                : reverse_tolerance(*chains, options);
-  if (!paths) return paths.error();
-  const Fidelity fidelity{Fidelity::Kind::tolerance, tolerance};
-  if (cheap && exact_is_smaller(page, *paths, fidelity, effort)) return page;
-  const Status within = check_deviation(*chains, *paths, tolerance);
+  if (aim == LineAim::few_bytes && effort != Effort::fast) {
+    Result<Page> cheapest = cheapest_lines(std::move(page), *chains, options);
+    if (!cheapest || cheapest->kind != PageKind::paths) return cheapest;
+    page = *std::move(cheapest);
+  } else {
+    Result<Drawing> lines = reverse_tolerance(*chains, options);
+    if (!lines) return lines.error();
+    page = page_of_lines(page.info, tolerance, *std::move(lines));
+  }
+  const Status within = check_deviation(*chains, page.drawing, tolerance);
   if (!within) {
     return Error{ErrorCode::internal,
                  "the lines break the bound: " + within.error().message};
   }
-  page.kind = PageKind::paths;
-  page.fidelity = fidelity;
-  page.drawing = *std::move(paths);
-  page.ink = Bitmap();
   return page;
 }
 
@@ -348,7 +339,7 @@ Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
                       LineAim aim) {
   if (page.kind == PageKind::ink &&
       options.trace != LineOptions::Trace::contour) {
-    return to_strokes(std::move(page), options, effort);
+    return to_strokes(std::move(page), options, effort, aim);
   }
   if (page.kind == PageKind::paths ||
       options.method == LineOptions::Method::none) {

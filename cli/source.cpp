@@ -46,7 +46,6 @@ std::optional<PulseFormat> promised_pulses(const std::string& path) {
 }
 
 /// What the ending of a name promises, where the content need not show it.
-/// What the ending of a name promises, where the content need not show it.
 std::optional<VectorFormat> promised(const std::string& path) {
   if (has_suffix(path, ".fc")) return VectorFormat::freeman;
   const std::optional<OutputFormat> format = format_of_name(path);

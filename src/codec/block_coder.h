@@ -25,6 +25,15 @@ struct CoderName {
   friend bool operator==(const CoderName&, const CoderName&) = default;
 };
 
+/// What a decoder says of a name it does not know. `kind`: "ink", "chain" ...
+[[nodiscard]] inline Error unknown_coder(std::string_view kind,
+                                         const CoderName& name) {
+  return {ErrorCode::unsupported_version,
+          std::string(kind) + " coder " + std::to_string(name.coder) +
+              " revision " + std::to_string(name.revision) + " table " +
+              std::to_string(name.table) + " is unknown"};
+}
+
 /// Coder ids, docs/format.md.
 inline constexpr std::uint8_t kCoderStored = 0;    ///< packed rows, deflated
 inline constexpr std::uint8_t kCoderContours = 1;  ///< contours, mixed models

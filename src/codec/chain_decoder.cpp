@@ -46,10 +46,7 @@ Result<std::vector<Chain>> decode_chains(const CoderName& name,
                                          std::uint64_t steps, YAxis axis,
                                          const BlockProgress& progress) {
   if (name != CoderName{kCoderChains, kChainRevision, 0}) {
-    return Error{ErrorCode::unsupported_version,
-                 "chain coder " + std::to_string(name.coder) + " revision " +
-                     std::to_string(name.revision) + " table " +
-                     std::to_string(name.table) + " is unknown"};
+    return unknown_coder("chain", name);
   }
   DecoderSide side(payload, axis);
   ChainScan<DecoderSide> scan(side, count, steps);

@@ -20,15 +20,21 @@ inline constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15ULL;
          (a >> 29);
 }
 
-/// Sign and magnitude of an area, two levels an octave, 0..31.
-[[nodiscard]] inline unsigned quantise_area(std::int64_t area) {
-  const auto size = static_cast<std::uint64_t>(area < 0 ? -area : area);
+/// Sign and magnitude, two levels an octave: 0..most, and as many from
+/// most + 1 on for negative values.
+[[nodiscard]] inline unsigned signed_level(std::int64_t value, unsigned most) {
+  const auto size = static_cast<std::uint64_t>(value < 0 ? -value : value);
   const auto octave = static_cast<unsigned>(std::bit_width(size));
   const unsigned level =
       octave < 2
           ? octave
           : octave * 2 - 2 + static_cast<unsigned>(size >> (octave - 2) & 1);
-  return std::min(level, 15U) + (area < 0 ? 16U : 0U);
+  return std::min(level, most) + (value < 0 ? most + 1 : 0U);
+}
+
+/// An area, 0..31.
+[[nodiscard]] inline unsigned quantise_area(std::int64_t area) {
+  return signed_level(area, 15);
 }
 
 /// The weight of (p - 1/2) as a second input of each counter: it grows with

@@ -23,13 +23,6 @@ bool is_shapes(const CoderName& name) {
          is_shape_revision(name.revision);
 }
 
-Error unknown(const CoderName& name) {
-  return {ErrorCode::unsupported_version,
-          "ink coder " + std::to_string(name.coder) + " revision " +
-              std::to_string(name.revision) + " table " +
-              std::to_string(name.table) + " is unknown"};
-}
-
 }  // namespace
 
 Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
@@ -44,7 +37,7 @@ Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
     return decode_shapes(payload, ink, first_row, rows, name.revision, limits,
                          progress);
   }
-  return unknown(name);
+  return unknown_coder("ink", name);
 }
 
 Status verify_ink(const CoderName& name, std::span<const std::uint8_t> payload,

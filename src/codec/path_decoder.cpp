@@ -62,10 +62,7 @@ Result<std::vector<Path>> decode_paths(const CoderName& name,
                                        std::uint64_t elements,
                                        const BlockProgress& progress) {
   if (name != CoderName{kCoderPaths, kPathRevision, path_warm::kTableId}) {
-    return Error{ErrorCode::unsupported_version,
-                 "path coder " + std::to_string(name.coder) + " revision " +
-                     std::to_string(name.revision) + " table " +
-                     std::to_string(name.table) + " is unknown"};
+    return unknown_coder("path", name);
   }
   DecoderSide side(payload);
   PathScan<DecoderSide> scan(side, count, elements);

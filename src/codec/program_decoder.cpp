@@ -37,10 +37,7 @@ Result<std::string> decode_program(const CoderName& name,
                                    std::uint64_t lines, std::uint64_t bytes,
                                    const BlockProgress& progress) {
   if (name != CoderName{kCoderProgram, kProgramRevision, 0}) {
-    return Error{ErrorCode::unsupported_version,
-                 "program coder " + std::to_string(name.coder) + " revision " +
-                     std::to_string(name.revision) + " table " +
-                     std::to_string(name.table) + " is unknown"};
+    return unknown_coder("program", name);
   }
   DecoderSide side(payload);
   ProgramScan<DecoderSide> scan(side, lines, bytes);

@@ -15,16 +15,8 @@ constexpr std::array<ProgramNumberModel::Decisions::Weights, 1> make_initial() {
 }
 constexpr auto kInitial = make_initial();
 
-/// Sign and size, two levels an octave.
 std::uint64_t distance_level(std::int64_t distance) {
-  const auto size =
-      static_cast<std::uint64_t>(distance < 0 ? -distance : distance);
-  const auto octave = static_cast<unsigned>(std::bit_width(size));
-  const unsigned level =
-      octave < 2
-          ? octave
-          : octave * 2 - 2 + static_cast<unsigned>(size >> (octave - 2) & 1);
-  return std::min(level, 63U) + (distance < 0 ? 64U : 0U);
+  return signed_level(distance, 63);
 }
 
 /// Words whose numbers behave alike.

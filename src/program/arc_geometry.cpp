@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "unstep/program.h"
-
 namespace unstep {
 
 double distance(const PlanePoint& a, const PlanePoint& b) {
@@ -44,6 +42,29 @@ double arc_sweep(const PlanePoint& start, const PlanePoint& end,
   const double sweep =
       std::atan2((sx * ey - sy * ex) * sign, sx * ex + sy * ey);
   return sweep > 0 ? sweep : sweep + 2 * std::numbers::pi;
+}
+
+ProgramArc::ProgramArc(const ProgramMove& move) : move_(move) {
+  const auto plane = plane_axes(move.plane);
+  const PlanePoint from{move.start[plane[0]], move.start[plane[1]]};
+  const PlanePoint to{move.end[plane[0]], move.end[plane[1]]};
+  radius_ = distance(from, move.centre);
+  sweep_ =
+      arc_sweep(from, to, move.centre, move.kind == ProgramItem::Kind::counter);
+  first_ = std::atan2(static_cast<double>(from[1] - move.centre[1]),
+                      static_cast<double>(from[0] - move.centre[0]));
+}
+
+ProgramPosition ProgramArc::at(double part) const {
+  const auto plane = plane_axes(move_.plane);
+  const bool counter = move_.kind == ProgramItem::Kind::counter;
+  const double angle = first_ + (counter ? sweep_ : -sweep_) * part;
+  ProgramPosition at = move_.start;
+  at[plane[0]] = move_.centre[0] + std::llround(radius_ * std::cos(angle));
+  at[plane[1]] = move_.centre[1] + std::llround(radius_ * std::sin(angle));
+  at[plane[2]] += std::llround(
+      part * static_cast<double>(move_.end[plane[2]] - move_.start[plane[2]]));
+  return at;
 }
 
 }  // namespace unstep

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "unstep/program.h"
+
 /// Arcs in a plane, in program units.
 namespace unstep {
 
@@ -23,5 +25,23 @@ using PlanePoint = std::array<std::int64_t, 2>;
 /// start and end are in one direction.
 [[nodiscard]] double arc_sweep(const PlanePoint& start, const PlanePoint& end,
                                const PlanePoint& centre, bool counter);
+
+/// The circle of a motion of kind clockwise or counter in its plane, walked
+/// with what the axis across it does.
+class ProgramArc {
+ public:
+  explicit ProgramArc(const ProgramMove& move);
+
+  [[nodiscard]] double radius() const { return radius_; }
+  [[nodiscard]] double sweep() const { return sweep_; }  ///< radians, above 0
+  /// After `part` of the arc, 0..1, to the nearest unit.
+  [[nodiscard]] ProgramPosition at(double part) const;
+
+ private:
+  ProgramMove move_;
+  double radius_;
+  double sweep_;
+  double first_;  ///< angle of the start
+};
 
 }  // namespace unstep

@@ -115,30 +115,14 @@ class Tracer {
 
   /// An arc of another plane, seen from above: chords within 0.001 mm.
   void add_tilted(const ProgramMove& move) {
-    const auto plane = plane_axes(move.plane);
-    const PlanePoint from{move.start[plane[0]], move.start[plane[1]]};
-    const PlanePoint to{move.end[plane[0]], move.end[plane[1]]};
-    const bool counter = move.kind == Kind::counter;
-    const double radius = distance(from, move.centre);
-    const double sweep = arc_sweep(from, to, move.centre, counter);
+    const ProgramArc arc(move);
     const double share =
         std::min(1.0, 0.001 * static_cast<double>(kProgramUnitsPerMm) /
-                          std::max(radius, 1.0));
+                          std::max(arc.radius(), 1.0));
     const auto count = static_cast<int>(
-        std::min(1e5, std::ceil(sweep / (2 * std::acos(1 - share)))) + 1);
-    const double first =
-        std::atan2(static_cast<double>(from[1] - move.centre[1]),
-                   static_cast<double>(from[0] - move.centre[0]));
+        std::min(1e5, std::ceil(arc.sweep() / (2 * std::acos(1 - share)))) + 1);
     for (int i = 1; i < count; ++i) {
-      const double part = static_cast<double>(i) / count;
-      const double angle = first + (counter ? sweep : -sweep) * part;
-      ProgramPosition at = move.start;
-      at[plane[0]] = move.centre[0] + std::llround(radius * std::cos(angle));
-      at[plane[1]] = move.centre[1] + std::llround(radius * std::sin(angle));
-      at[plane[2]] +=
-          std::llround(part * static_cast<double>(move.end[plane[2]] -
-                                                  move.start[plane[2]]));
-      line_to(point(at));
+      line_to(point(arc.at(static_cast<double>(i) / count)));
     }
     line_to(point(move.end));
   }

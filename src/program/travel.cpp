@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "grid/chain_end.h"
 #include "program/travel_order.h"
 #include "unstep/program.h"
 
@@ -13,11 +14,7 @@ using program::Trip;
 
 Point moved(Point at, Point by) { return {at.x + by.x, at.y + by.y}; }
 
-Point end_of(const Chain& chain, YAxis axis) {
-  Point at = chain.origin;
-  for (const Step step : chain.steps) at = moved(at, step_delta(step, axis));
-  return at;
-}
+Point end_of(const Chain& chain, YAxis axis) { return chain_end(chain, axis); }
 
 Point move_of(const Path::Element& element) {
   return element.kind == Path::Kind::arc

@@ -134,31 +134,16 @@ class Gridder {
 
   /// Chords of at most half a step, for what has no arc on the grid.
   Status add_chords(const ProgramMove& move) {
-    const auto plane = plane_axes(move.plane);
-    const PlanePoint from{move.start[plane[0]], move.start[plane[1]]};
-    const PlanePoint to{move.end[plane[0]], move.end[plane[1]]};
-    const bool counter = move.kind == Kind::counter;
-    const double radius = distance(from, move.centre);
-    const double sweep = arc_sweep(from, to, move.centre, counter);
-    const double wanted =
-        std::ceil(radius * sweep * 2 / static_cast<double>(options_.step));
+    const ProgramArc arc(move);
+    const double wanted = std::ceil(arc.radius() * arc.sweep() * 2 /
+                                    static_cast<double>(options_.step));
     if (!(wanted <= 4 * static_cast<double>(options_.max_steps) + 16)) {
       return Error{ErrorCode::limit_exceeded, "more steps than allowed"};
     }
     const auto count = static_cast<std::uint64_t>(std::max(wanted, 1.0));
-    const double first =
-        std::atan2(static_cast<double>(from[1] - move.centre[1]),
-                   static_cast<double>(from[0] - move.centre[0]));
     for (std::uint64_t i = 1; i < count; ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(count);
-      const double angle = first + (counter ? sweep : -sweep) * part;
-      ProgramPosition at = move.start;
-      at[plane[0]] = move.centre[0] + std::llround(radius * std::cos(angle));
-      at[plane[1]] = move.centre[1] + std::llround(radius * std::sin(angle));
-      at[plane[2]] +=
-          std::llround(part * static_cast<double>(move.end[plane[2]] -
-                                                  move.start[plane[2]]));
-      if (Status done = line_to(at); !done) return done;
+      if (Status done = line_to(arc.at(part)); !done) return done;
     }
     return line_to(move.end);
   }

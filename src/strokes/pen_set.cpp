@@ -7,17 +7,10 @@
 #include <tuple>
 #include <utility>
 
+#include "grid/chain_end.h"
+
 namespace unstep::strokes {
 namespace {
-
-Point end_of(const Chain& chain) {
-  Point at = chain.origin;
-  for (const Step step : chain.steps) {
-    const Point move = step_delta(step, YAxis::down);
-    at = {at.x + move.x, at.y + move.y};
-  }
-  return at;
-}
 
 bool above(Point a, Point b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); }
 
@@ -70,7 +63,7 @@ void share_pens(std::vector<Stroke>& strokes) {
 void sort_down(std::vector<Stroke>& strokes) {
   for (Stroke& stroke : strokes) {
     if (stroke.chain.closed) continue;
-    const Point end = end_of(stroke.chain);
+    const Point end = chain_end(stroke.chain, YAxis::down);
     if (above(end, stroke.chain.origin)) turn(stroke, end);
   }
   std::ranges::stable_sort(strokes, [](const Stroke& a, const Stroke& b) {

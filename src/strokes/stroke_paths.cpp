@@ -1,6 +1,7 @@
 #include <string>
 #include <utility>
 
+#include "grid/chain_end.h"
 #include "unstep/reverse.h"
 #include "unstep/trace.h"
 
@@ -61,15 +62,6 @@ Chain chain_of(const Stroke& stroke, Point origin, std::size_t first,
   return chain;
 }
 
-Point end_of(const Chain& chain) {
-  Point at = chain.origin;
-  for (const Step step : chain.steps) {
-    const Point move = step_delta(step, YAxis::down);
-    at = {at.x + move.x, at.y + move.y};
-  }
-  return at;
-}
-
 class StrokePaths {
  public:
   explicit StrokePaths(const StrokeOptions& options) : options_(options) {
@@ -99,7 +91,7 @@ class StrokePaths {
       }
       path->width = piece.width * (scale_ / 2);
       paths.push_back(*std::move(path));
-      at = end_of(chain);
+      at = chain_end(chain, YAxis::down);
       used += piece.steps;
     }
     return {};
