@@ -15,6 +15,7 @@
 #include "entropy/counter.h"
 #include "entropy/logistic.h"
 #include "entropy/mixer.h"
+#include "entropy/refiner.h"
 #include "entropy/slots.h"
 
 namespace unstep::entropy {
@@ -334,6 +335,27 @@ TEST(Counter, ReachesCertaintyAndStaysCodable) {
     EXPECT_EQ(counter.p1(), bit ? 65520 : 16);
     EXPECT_EQ(counter.p1_fine(), bit ? 65534 : 2);
   }
+}
+
+TEST(Refiner, ChangesNothingAtFirst) {
+  Refiner refiner(3);
+  for (int x = -2047; x < 2048; x += 13) {
+    // Between two nodes it is a chord: off by at most f"" / 8 = 0.012.
+    EXPECT_NEAR(refiner.refine(x, 2), squash(x), 800) << x;
+  }
+  EXPECT_EQ(refiner.refine(-3071, 0), squash(-2048));
+}
+
+TEST(Refiner, LearnsWhatFollowsInItsContext) {
+  Refiner refiner(2);
+  const int before = refiner.refine(-512, 1);
+  for (int i = 0; i < 400; ++i) {
+    refiner.refine(-500, 0);
+    refiner.learn(true);
+  }
+  EXPECT_GT(refiner.refine(-500, 0), 55000);
+  EXPECT_EQ(refiner.refine(-512, 1), before);
+  EXPECT_EQ(refiner.refine(1500, 0), Refiner(1).refine(1500, 0));
 }
 
 }  // namespace
