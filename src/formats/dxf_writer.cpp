@@ -208,7 +208,7 @@ void DxfWriter::draw_circle(WidePoint from, const Piece& piece) {
 }
 
 void DxfWriter::draw_arc(WidePoint from, const Piece& piece) {
-  const ArcCircle circle = circle_of(piece);
+  const RealCircle circle = circle_of(piece);
   const double begin = std::atan2(-circle.y, -circle.x);
   const double end = std::atan2(static_cast<double>(piece.end.y) - circle.y,
                                 static_cast<double>(piece.end.x) - circle.x);

@@ -59,8 +59,7 @@ rlimit both(std::uint64_t value) {
 
 /// In the child: system calls only.
 [[noreturn]] void become(const Pipes& pipes, char* const* arguments,
-                         char* const* environment,
-                         const ProgramLimits& limits) {
+                         char* const* environment, const RunLimits& limits) {
   const rlimit core = both(0);
   const rlimit time = both(limits.seconds);
   const rlimit file = both(limits.file_bytes);
@@ -184,7 +183,7 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 Result<std::string> run_program(const std::vector<std::string>& arguments,
-                                const ProgramLimits& limits) {
+                                const RunLimits& limits) {
   const std::string& name = arguments[0];
   Pipes pipes;
   if (!pipes.output.is_good() || !pipes.errors.is_good() ||

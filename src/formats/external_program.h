@@ -25,7 +25,7 @@ class TemporaryFolder {
   std::string path_;
 };
 
-struct ProgramLimits {
+struct RunLimits {
   std::uint64_t output_bytes = 16U << 20;             ///< of what it prints
   std::uint64_t file_bytes = std::uint64_t{1} << 30;  ///< of a file it writes
   unsigned seconds = 600;                             ///< of a processor
@@ -36,6 +36,6 @@ struct ProgramLimits {
 /// unsupported if it is not installed; corrupt, with the first line of its
 /// errors, if it fails; limit_exceeded.
 Result<std::string> run_program(const std::vector<std::string>& arguments,
-                                const ProgramLimits& limits);
+                                const RunLimits& limits);
 
 }  // namespace unstep

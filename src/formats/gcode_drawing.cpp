@@ -196,7 +196,7 @@ class Drawer {
   /// Between the rounded ends, about the centre that they leave. False where a
   /// control might see another arc.
   bool draw_round(double x, double y, const Piece& arc) {
-    const ArcCircle circle = circle_of(arc);
+    const RealCircle circle = circle_of(arc);
     const double radius = circle.radius * mm_x_;
     const ArcRules& rules = options_.rules;
     if (radius < rules.min_radius_mm || radius > rules.max_radius_mm) {

@@ -136,7 +136,7 @@ void HpglWriter::draw_arc(WidePoint from, const Piece& arc) {
             [&](double x, double y) { line_to(plotted(fx + x, fy + y)); });
     return;
   }
-  const ArcCircle circle = circle_of(arc);
+  const RealCircle circle = circle_of(arc);
   const WidePoint begin = at_;
   const WidePoint end = plotted(from + arc.end);
   const WidePoint centre = plotted(fx + circle.x, fy + circle.y);

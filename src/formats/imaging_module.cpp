@@ -167,7 +167,7 @@ int unstep_imaging_remove(unstep_bits* ink, std::uint64_t area,
                           std::int32_t of_paper, std::uint64_t* pieces,
                           std::uint64_t* pixels, unstep_reason reason) {
   return guarded(reason, [&] {
-    const imaging::Removed removed =
+    const imaging::PiecesRemoved removed =
         imaging::remove_small_pieces(*ink, area, of_paper != 0);
     *pieces = removed.pieces;
     *pixels = removed.pixels;

@@ -129,7 +129,7 @@ bool is_large(const Piece& arc) {
   return arc.is_circle() || (arc.ascending ? side < 0 : side > 0);
 }
 
-ArcCircle circle_of(const Piece& arc) {
+RealCircle circle_of(const Piece& arc) {
   if (arc.is_circle()) {
     const auto x = static_cast<double>(arc.centre.x);
     const auto y = static_cast<double>(arc.centre.y);
@@ -145,7 +145,7 @@ ArcCircle circle_of(const Piece& arc) {
 
 void flatten(const Piece& arc, double limit,
              const std::function<void(double x, double y)>& visit) {
-  const ArcCircle circle = circle_of(arc);
+  const RealCircle circle = circle_of(arc);
   const double sweep = sweep_of(arc);
   // The sagitta of a chord is radius (1 - cos(turn / 2)).
   const double cosine = std::max(0.5, 1 - limit / circle.radius);

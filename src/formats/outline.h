@@ -76,12 +76,12 @@ void extend(WideBox& box, const Outline& outline);
 /// The circle through both ends whose centre, on the line that halves the
 /// chord, is nearest to the stored one; full circles as stored. REQUIRES:
 /// is_arc.
-struct ArcCircle {
+struct RealCircle {
   double x = 0;  ///< of the centre, relative to the start
   double y = 0;
   double radius = 0;
 };
-[[nodiscard]] ArcCircle circle_of(const Piece& arc);
+[[nodiscard]] RealCircle circle_of(const Piece& arc);
 
 /// Calls visit(x, y) with points of an arc, relative to its start, the end
 /// last: the lines between them are at most `limit` path units from the arc.

@@ -87,7 +87,7 @@ class PdfSource final : public RasterSource {
 
   [[nodiscard]] Result<std::string> run(
       const std::vector<std::string>& arguments) const {
-    ProgramLimits limits;
+    RunLimits limits;
     limits.file_bytes = options_.limits.max_memory;
     Result<std::string> output = run_program(arguments, limits);
     if (output || output.error().code != ErrorCode::unsupported) return output;

@@ -164,7 +164,7 @@ void PdfWriter::append_point(std::string& text, double x, double y) const {
 void PdfWriter::append_arc(std::string& text, WidePoint from,
                            const Piece& arc) const {
   const double sweep = sweep_of(arc);
-  const ArcCircle circle = circle_of(arc);
+  const RealCircle circle = circle_of(arc);
   const double limit = kArcLimit * scale_;
   int count = 1 + static_cast<int>(sweep / 1.6);
   while (count < 1000 && circle.radius * bezier_error(sweep / count) > limit) {

@@ -68,9 +68,9 @@ int last_row(const cv::Mat& stats, int label, int first) {
 /// that reaches `area` rows beyond both sides of a band, a piece that meets the
 /// band is either whole or has more than `area` pixels in the window. All
 /// windows see the page as it was.
-Removed remove_small_pieces(unstep_bits& ink, std::uint64_t area,
-                            bool of_paper) {
-  Removed removed;
+PiecesRemoved remove_small_pieces(unstep_bits& ink, std::uint64_t area,
+                                  bool of_paper) {
+  PiecesRemoved removed;
   if (area == 0) return removed;
   const int margin = static_cast<int>(
       std::min<std::uint64_t>(area, static_cast<std::uint64_t>(ink.height)));

@@ -63,7 +63,7 @@ void SvgPathData::line(WidePoint move, std::string& text) {
 /// the limit of the true one, and its centre so near that rounding to path
 /// units finds it again.
 void SvgPathData::find_radius(const Piece& piece) {
-  const ArcCircle circle = circle_of(piece);
+  const RealCircle circle = circle_of(piece);
   const double half_chord = std::hypot(static_cast<double>(piece.end.x),
                                        static_cast<double>(piece.end.y)) /
                             2;

@@ -181,7 +181,7 @@ TEST(ExternalProgram, SaysWhatIsMissingOrFails) {
       run_program({"ls", "/no such folder"}, {}).error().message.substr(0, 4),
       "ls: ");
   EXPECT_EQ(*run_program({"printf", "%s", "a;b $c `d`"}, {}), "a;b $c `d`");
-  ProgramLimits limits;
+  RunLimits limits;
   limits.output_bytes = 10;
   EXPECT_EQ(run_program({"printf", "12345678901"}, limits).error().code,
             ErrorCode::limit_exceeded);
