@@ -136,6 +136,10 @@ Result<Program> program_of_page(Page page, const DrawFiles& files,
     Result<Program> program = read_gcode(page.program, read);
     if (!program) return program.error();
     notes.insert(notes.end(), program->notes.begin(), program->notes.end());
+    if (lines.travel) {
+      const Status ordered = order_page(page, notes);
+      if (!ordered) return ordered.error();
+    }
     return program;
   }
   DrawOptions options = given;
@@ -152,16 +156,14 @@ Result<Program> program_of_page(Page page, const DrawFiles& files,
     lines.tolerance.unit = Quantity::Unit::grid;
   }
   if (page.kind == PageKind::ink || page.kind == PageKind::chains) {
-    Result<Page> drawn =
-        to_lines(std::move(page), lines, files.effort, LineAim::few_lines);
+    Result<Page> drawn = to_drawing(std::move(page), lines, files.effort);
     if (!drawn) return drawn.error();
     page = *std::move(drawn);
-    if (page.kind == PageKind::ink) {
-      Result<Drawing> chains = chains_of(page);
-      if (!chains) return chains.error();
-      page.drawing = *std::move(chains);
-    }
     lines.method = LineOptions::Method::none;
+  }
+  if (lines.travel) {
+    const Status ordered = order_page(page, notes);
+    if (!ordered) return ordered.error();
   }
   if (!page.info.metadata.empty() || !page.info.name.empty()) {
     notes.emplace_back("name and metadata of the page are not in the program");

@@ -160,7 +160,7 @@ Result<Packed> pack(Source& source, const PackOptions& options, int jobs,
                      on_page(index, count, warned.error().message)};
       }
     }
-    if (options.lines.travel && stored->kind != PageKind::program) {
+    if (options.lines.travel) {
       const Status ordered = order_page(*stored, page->notes);
       if (!ordered) return ordered.error();
     }

@@ -59,20 +59,13 @@ Status PageWriter::Impl::add_drawing(Page page,
   if (page.kind == PageKind::ink && contours && !lines.travel) {
     added = add_contours(page);
   } else {
-    Result<Page> drawn =
-        to_lines(std::move(page), lines, effort, LineAim::few_lines);
+    Result<Page> drawn = to_drawing(std::move(page), lines, effort);
     if (!drawn) return drawn.error();
     // Freeman text holds steps: of the device's segments those that it draws.
     if (freeman && drawn->fidelity.kind == Fidelity::Kind::device) {
       Result<Drawing> chains = device_chains(drawn->drawing);
       if (!chains) return chains.error();
       drawn->drawing = *std::move(chains);
-    }
-    if (drawn->kind == PageKind::ink) {
-      Result<Drawing> edges = chains_of(*drawn);
-      if (!edges) return edges.error();
-      drawn->drawing = *std::move(edges);
-      drawn->kind = PageKind::chains;
     }
     if (lines.travel) {
       const Status ordered = order_page(*drawn, notes);

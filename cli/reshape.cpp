@@ -354,7 +354,22 @@ Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
   return by_tolerance(std::move(page), *tolerance, options.arcs, effort, aim);
 }
 
+Result<Page> to_drawing(Page page, const LineOptions& options, Effort effort) {
+  Result<Page> drawn =
+      to_lines(std::move(page), options, effort, LineAim::few_lines);
+  if (!drawn || drawn->kind != PageKind::ink) return drawn;
+  Result<Drawing> edges = chains_of(*drawn);
+  if (!edges) return edges.error();
+  drawn->drawing = *std::move(edges);
+  drawn->kind = PageKind::chains;
+  return drawn;
+}
+
 Status order_page(Page& page, std::vector<std::string>& notes) {
+  if (page.kind == PageKind::program) {
+    notes.emplace_back("the motions of a program keep their order");
+    return {};
+  }
   if (page.kind == PageKind::ink) {
     return Error{ErrorCode::unsupported,
                  "--order travel needs lines or chains; ink has none without "

@@ -33,6 +33,10 @@ Result<Drawing> chains_of(const Page& page);
 Result<Page> to_lines(Page page, const LineOptions& options, Effort effort,
                       LineAim aim);
 
+/// A page as chains or paths: to_lines() for few lines, and of ink that stays
+/// ink its edges.
+Result<Page> to_drawing(Page page, const LineOptions& options, Effort effort);
+
 /// Orders what a page of chains or paths draws for short travel; the note says
 /// how long it is before and after, in metres if the resolution is known.
 /// unsupported for a page of ink.
