@@ -7,6 +7,7 @@
 
 #include "cli/message.h"
 #include "cli/reshape.h"
+#include "cli/stored_size.h"
 #include "unstep/trace.h"
 
 namespace unstep::cli {
@@ -57,7 +58,20 @@ Result<Page> by_contours(Page page, LineOptions options, Effort effort,
   return to_lines(std::move(page), options, effort, aim);
 }
 
-/// Which of the two is simpler; the contours' lines if the ink says so.
+/// Whether strokes are the simpler ones, or the smaller ones in a file.
+Result<bool> are_better(const Page& strokes, const Page& contours,
+                        Effort effort, LineAim aim) {
+  if (aim == LineAim::few_lines) {
+    return weight(strokes.drawing) < weight(contours.drawing);
+  }
+  const Result<std::size_t> mine = stored_size(strokes, effort);
+  if (!mine) return mine.error();
+  const Result<std::size_t> theirs = stored_size(contours, effort);
+  if (!theirs) return theirs.error();
+  return *mine < *theirs;
+}
+
+/// Which of the two is better; the contours' lines if the ink says so.
 Result<Page> choose(Page page, Page strokes, const Rational& tolerance,
                     const LineOptions& options, Effort effort, LineAim aim) {
   const Result<bool> well = draw_well(page.ink, strokes, tolerance);
@@ -66,9 +80,9 @@ Result<Page> choose(Page page, Page strokes, const Rational& tolerance,
   if (exact) return *well ? std::move(strokes) : std::move(page);
   Result<Page> contours = by_contours(std::move(page), options, effort, aim);
   if (!contours || !*well) return contours;
-  return weight(strokes.drawing) < weight(contours->drawing)
-             ? std::move(strokes)
-             : *std::move(contours);
+  const Result<bool> better = are_better(strokes, *contours, effort, aim);
+  if (!better) return better.error();
+  return *better ? std::move(strokes) : *std::move(contours);
 }
 
 /// The contours of the ink that is in `ink` and, if `both`, in `other` too, or

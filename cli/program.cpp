@@ -216,6 +216,11 @@ ExitCode convert_program(const ProgramFiles& files,
   if (lines.method == LineOptions::Method::device) {
     return report_usage("convert", "--reverse is for unit steps");
   }
+  if (lines.travel) {
+    return report_usage("convert",
+                        "--order travel is for drawings; the motions of a "
+                        "program keep their order");
+  }
   const Status free = may_write(files.output, files.input, files.force);
   if (!free) return report_error(output_name(files.output), free.error());
   const auto bytes = read_file(files.input, options.read.limits.max_bytes);

@@ -367,8 +367,9 @@ Result<Page> to_drawing(Page page, const LineOptions& options, Effort effort) {
 
 Status order_page(Page& page, std::vector<std::string>& notes) {
   if (page.kind == PageKind::program) {
-    notes.emplace_back("the motions of a program keep their order");
-    return {};
+    return Error{ErrorCode::unsupported,
+                 "--order travel is for drawings; the motions of a program "
+                 "keep their order"};
   }
   if (page.kind == PageKind::ink) {
     return Error{ErrorCode::unsupported,

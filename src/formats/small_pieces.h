@@ -16,6 +16,6 @@ struct PiecesRemoved {
 /// (4-connected) that does not reach the edge of the page. Works on bands of
 /// rows, so that memory grows with the width times `area` at most.
 PiecesRemoved remove_small_pieces(unstep_bits& ink, std::uint64_t area,
-                            bool of_paper);
+                                  bool of_paper);
 
 }  // namespace unstep::imaging

@@ -40,9 +40,15 @@ class Strokes(harness.CliTest):
         self.assertEqual(report["tolerance"], [0, 1])
         self.assertEqual(report["paths"], 2)
 
-    def test_auto_takes_strokes_for_lines(self):
-        report = self.compress("--trace", "auto", "--tolerance", "1")
-        self.assertEqual(report["paths"], 2)
+    def test_auto_takes_strokes_where_they_are_simpler(self):
+        self.expect(["convert", "cross.pbm", "a.svg", "-q", "--trace", "auto",
+                     "--tolerance", "1"])
+        self.assertIn(b'stroke-linecap="round"', self.read("a.svg"))
+
+    def test_auto_takes_what_is_smaller_in_a_file(self):
+        sizes = [self.compress("--trace", trace, "--tolerance", "1")["output_bytes"]
+                 for trace in ("auto", "contour", "centerline")]
+        self.assertEqual(sizes[0], min(sizes))
 
     def test_verify_says_how_far_the_ink_is_off(self):
         self.compress("--trace", "centerline", "--tolerance", "1")
@@ -85,7 +91,7 @@ class Strokes(harness.CliTest):
         self.assertIn("travel between lines is", ordered.err)
         self.assertNotEqual(before, self.read("a.ngc"))
         kept = self.run_cli("convert", "a.ngc", "b.ngc", "--order", "travel")
-        self.assertEqual(kept.code, 0)
+        self.assertEqual(kept.code, 2)
         self.assertIn("the motions of a program keep their order", kept.err)
 
     def test_ink_that_strokes_do_not_draw_is_warned_of(self):
