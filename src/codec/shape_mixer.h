@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,6 +11,10 @@
 #include "entropy/counter.h"
 #include "entropy/logistic.h"
 #include "entropy/mixer.h"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 namespace unstep::codec {
 
@@ -59,18 +64,18 @@ class ShapeMixer {
     return weights;
   }
 
+  /// Finds the slots: all are asked for before the first is used, and no step
+  /// waits for what it holds, so that their memory arrives together.
   void recall(const Contexts& contexts) {
     for (std::size_t i = 0; i < kContexts; ++i) {
       const std::uint64_t hash = contexts[i] * kGolden;
       active_[i] = &slots_[(i << bits_) + (hash >> (64 - bits_))];
-      checks_[i] = static_cast<std::uint8_t>(hash >> 40);
+      checks_[i] = static_cast<std::uint16_t>(hash >> 40 & 0xff);
+      __builtin_prefetch(active_[i], 1);
     }
+    load();
     auto& inputs = mixer_.inputs();
     for (std::size_t i = 0; i < kContexts; ++i) {
-      const Slot slot = *active_[i];
-      const bool found = slot.check == checks_[i];
-      p_[i] = found ? slot.p : std::uint16_t{32768};
-      ages_[i] = found ? slot.n : std::uint8_t{0};
       rates_[i] = entropy::detail::kRates[ages_[i]];
       trusts_[i] = kTrust[ages_[i]];
       inputs[i] = static_cast<std::int16_t>(entropy::stretch(p_[i]));
@@ -83,16 +88,59 @@ class ShapeMixer {
     for (std::size_t i = 0; i < kContexts; ++i) {
       const auto age =
           static_cast<std::uint8_t>(ages_[i] + (ages_[i] < 255 ? 1 : 0));
-      *active_[i] = Slot{p_[i], age, checks_[i]};
+      *active_[i] = {p_[i], age, static_cast<std::uint8_t>(checks_[i])};
     }
   }
+
+#if defined(__SSE2__)
+
+  /// Probabilities and ages of the slots; one whose check differs is new.
+  void load() {
+    const auto four = [this](std::size_t i) {
+      const auto word = [this](std::size_t k) {
+        return std::bit_cast<std::int32_t>(*active_[k]);
+      };
+      const __m128i slots =
+          _mm_set_epi32(word(i + 3), word(i + 2), word(i + 1), word(i));
+      // The four probabilities, then the four ages with their checks.
+      return _mm_shuffle_epi32(
+          _mm_shufflehi_epi16(_mm_shufflelo_epi16(slots, 0xd8), 0xd8), 0xd8);
+    };
+    const __m128i low = four(0);
+    const __m128i high = four(4);
+    const __m128i ages = _mm_unpackhi_epi64(low, high);
+    const auto* checks = reinterpret_cast<const __m128i*>(checks_.data());
+    const __m128i found =
+        _mm_cmpeq_epi16(_mm_srli_epi16(ages, 8), _mm_load_si128(checks));
+    const __m128i half = _mm_set1_epi16(-32768);
+    _mm_store_si128(
+        reinterpret_cast<__m128i*>(p_.data()),
+        _mm_or_si128(_mm_and_si128(found, _mm_unpacklo_epi64(low, high)),
+                     _mm_andnot_si128(found, half)));
+    _mm_store_si128(
+        reinterpret_cast<__m128i*>(ages_.data()),
+        _mm_and_si128(found, _mm_and_si128(ages, _mm_set1_epi16(255))));
+  }
+
+#else
+
+  void load() {
+    for (std::size_t i = 0; i < kContexts; ++i) {
+      const Slot slot = *active_[i];
+      const bool found = slot.check == checks_[i];
+      p_[i] = found ? slot.p : std::uint16_t{32768};
+      ages_[i] = found ? slot.n : std::uint16_t{0};
+    }
+  }
+
+#endif
 
   int bits_;
   std::vector<Slot> slots_;
   entropy::Mixer<kInputs, kSets> mixer_;
   std::array<Slot*, kContexts> active_{};
-  std::array<std::uint8_t, kContexts> checks_{};
-  std::array<std::uint8_t, kContexts> ages_{};
+  alignas(16) std::array<std::uint16_t, kContexts> checks_{};
+  alignas(16) std::array<std::uint16_t, kContexts> ages_{};
   alignas(16) std::array<std::uint16_t, kContexts> p_{};
   alignas(16) std::array<std::uint16_t, kContexts> rates_{};
   alignas(16) std::array<std::int16_t, kContexts> trusts_{};

@@ -4,13 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
-#include <new>
 #include <span>
 
 #include "entropy/counter.h"
 #include "entropy/logistic.h"
+#include "entropy/table_memory.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -156,10 +154,8 @@ class ContextSlots {
       first_[i] = size;
       size += std::size_t{1} << bits[i];
     }
-    // Zeros are as good as new, since no hash has check 0, and the system need
-    // not provide pages that are never touched.
-    slots_.reset(static_cast<Slot*>(std::calloc(size, sizeof(Slot))));
-    if (slots_ == nullptr) throw std::bad_alloc();
+    // Zeros are as good as new, since no hash has check 0.
+    slots_ = make_table<Slot>(size);
     slots_[0] = Slot{};
     next_.fill(slots_.get());
     active_.fill(slots_.get());
@@ -305,10 +301,7 @@ class ContextSlots {
 #endif
   }
 
-  struct Free {
-    void operator()(Slot* slots) const { std::free(slots); }
-  };
-  std::unique_ptr<Slot[], Free> slots_;
+  Table<Slot> slots_;
   std::array<std::size_t, kContexts> first_{};
   std::array<int, kContexts> shift_{};
   std::array<Slot*, kLanes> next_{};

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <new>
 #include <random>
 #include <span>
 #include <utility>
@@ -17,6 +19,7 @@
 #include "entropy/mixer.h"
 #include "entropy/refiner.h"
 #include "entropy/slots.h"
+#include "entropy/table_memory.h"
 
 namespace unstep::entropy {
 namespace {
@@ -359,4 +362,24 @@ TEST(Refiner, LearnsWhatFollowsInItsContext) {
 }
 
 }  // namespace
+TEST(Table, IsZeroAndWritableToItsEndsFromAFewBytesToHugePages) {
+  for (const std::size_t size :
+       {std::size_t{1}, std::size_t{1000}, std::size_t{1} << 18,
+        (std::size_t{1} << 18) + 1, std::size_t{700'001}}) {
+    for (int again = 0; again < 2; ++again) {
+      const Table<std::uint64_t> table = make_table<std::uint64_t>(size);
+      EXPECT_EQ(std::count(&table[0], &table[0] + size, 0U),
+                static_cast<std::ptrdiff_t>(size));
+      std::fill(&table[0], &table[0] + size, ~std::uint64_t{0});
+    }
+  }
+}
+
+TEST(Table, TooLargeForTheMachineThrows) {
+  EXPECT_THROW((void)make_table<std::uint64_t>(~std::size_t{0} / 4),
+               std::bad_alloc);
+  EXPECT_THROW((void)make_table<std::uint64_t>(std::size_t{1} << 57),
+               std::bad_alloc);
+}
+
 }  // namespace unstep::entropy
