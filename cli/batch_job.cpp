@@ -69,7 +69,13 @@ std::string value_of(const Metadata& metadata, std::string_view key) {
   return {};
 }
 
-/// UstpReader::open checks the CRC of every block and the end block.
+/// UstpReader::open checks the CRC of every block of the block form; the one
+/// of the short form is of what is drawn.
+bool is_intact(const UstpReader& reader) {
+  return reader.info().form == FileInfo::Form::block_form ||
+         static_cast<bool>(reader.read_page(0));
+}
+
 Existing judge_ustp(const std::string& path, const Source& source,
                     const JobOptions& options) {
   if (options.force || !exists(path)) return Existing::none;
@@ -86,7 +92,8 @@ Existing judge_ustp(const std::string& path, const Source& source,
   const std::string size = value_of(metadata, kSourceSizeKey);
   const std::string crc = value_of(metadata, kSourceCrcKey);
   if (size.empty() || crc.empty()) return Existing::foreign;
-  return size == record_of_size(source) && crc == record_of_crc(source)
+  return size == record_of_size(source) && crc == record_of_crc(source) &&
+                 is_intact(*reader)
              ? Existing::finished
              : Existing::stale;
 }

@@ -25,6 +25,18 @@ struct CoderName {
   friend bool operator==(const CoderName&, const CoderName&) = default;
 };
 
+/// The coder of nearly all short files with such a page, which they need not
+/// name (docs/format.md, Short form).
+[[nodiscard]] constexpr CoderName usual_coder(PageKind kind) {
+  switch (kind) {
+    case PageKind::ink: return {1, 0, 1};
+    case PageKind::chains: return {16, 0, 0};
+    case PageKind::paths: return {24, 0, 1};
+    case PageKind::program: break;
+  }
+  return {28, 0, 0};
+}
+
 /// What a decoder says of a name it does not know. `kind`: "ink", "chain" ...
 [[nodiscard]] inline Error unknown_coder(std::string_view kind,
                                          const CoderName& name) {

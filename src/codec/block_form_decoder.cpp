@@ -10,7 +10,6 @@
 #include "codec/checksum.h"
 #include "codec/container_fields_decoder.h"
 #include "codec/metadata_decoder.h"
-#include "codec/text_rules.h"
 
 namespace unstep::codec {
 namespace {
@@ -121,12 +120,10 @@ class BlockFormParser {
     PageEntry page;
     const std::uint64_t start = in.position();
     const std::uint8_t flags = in.u8("the page's flags");
-    if ((flags & (kVersionMask | kBlockFormFlag)) != 0) {
+    if ((flags & (kVersionMask | kBlockFormFlag | kUsualCoderFlag)) != 0) {
       in.fail(ErrorCode::corrupt, start, "unknown page flags");
     }
-    read_page_head(flags, in, page);
-    page.info.name = read_name(in);
-    page.info.metadata = read_metadata(in, metadata_budget_);
+    read_page_head(flags, in, {metadata_budget_}, page);
     blocks_due_ = in.varint("the number of payload blocks", file_.size());
     if (blocks_due_ == 0) out_of_order(in, "page without payload blocks");
     page.checksum = in.u32("the page's checksum");
@@ -136,18 +133,6 @@ class BlockFormParser {
     block_starts_.emplace_back();
     next_row_ = 0;
     joined_ = 0;
-  }
-
-  std::string read_name(ByteReader& in) {
-    const std::uint64_t start = in.position();
-    const std::uint64_t size =
-        in.varint("the length of the page's name", kMaxNameBytes);
-    const auto bytes = in.bytes("the page's name", size);
-    std::string name(bytes.begin(), bytes.end());
-    if (!is_text(name)) {
-      in.fail(ErrorCode::corrupt, start, "page name is not UTF-8 text");
-    }
-    return name;
   }
 
   void read_payload(ByteReader& in) {

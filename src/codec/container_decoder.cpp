@@ -18,8 +18,10 @@ Result<ParsedFile> parse_short_form(std::uint8_t flags, ByteReader& in,
   const std::uint64_t head_start = in.position() - 1;
   PageEntry page;
   PageEntry::Block block;
-  read_page_head(flags, in, page);
-  read_coder_name(in, block);
+  std::uint64_t budget = kMaxMetadataTotal;
+  Metadata of_file;
+  read_page_head(flags, in, {budget, &of_file}, page);
+  read_short_coder_name(flags, in, page.kind, block);
   std::uint64_t decoded_bytes = read_counts(in, page.kind, block);
   block.box = kEverywhere;
   if (page.kind == PageKind::ink) {
@@ -40,6 +42,7 @@ Result<ParsedFile> parse_short_form(std::uint8_t flags, ByteReader& in,
   ParsedFile parsed;
   parsed.info.form = FileInfo::Form::short_form;
   parsed.info.version = kVersion;
+  parsed.info.metadata = std::move(of_file);
   parsed.proofs.push_back({BlockProof{page.checksum, std::nullopt}});
   page.blocks.push_back(block);
   parsed.info.pages.push_back(std::move(page));

@@ -66,28 +66,59 @@ void put_coder_name(const CoderName& name, ByteWriter& out) {
 }
 
 void put_resolution(const Resolution& resolution, ByteWriter& out) {
-  const bool square = resolution.x == resolution.y;
-  out.u8(static_cast<std::uint8_t>(static_cast<unsigned>(resolution.unit) |
-                                   (square ? 4U : 0U)));
   out.varint(resolution.x.numerator);
   out.varint(resolution.x.denominator);
-  if (square) return;
+  if (resolution.x == resolution.y) return;
   out.varint(resolution.y.numerator);
   out.varint(resolution.y.denominator);
 }
 
-/// Page flags, canvas, resolution, path head. `other_flags` fill bits 0-4.
-void put_page_head(const PageParts& page, std::uint8_t other_flags,
-                   ByteWriter& out) {
+/// `of_file`: the file's metadata, if the page head has to hold them.
+std::uint8_t details_of(const PageInfo& info, const Metadata& of_file) {
+  std::uint8_t details = 0;
+  const Resolution& resolution = info.resolution;
+  if (resolution != Resolution{}) {
+    details |= kResolutionFlag | static_cast<std::uint8_t>(resolution.unit);
+    if (resolution.x == resolution.y) details |= kSameBothWaysFlag;
+  }
+  if (!info.name.empty() || !info.metadata.empty()) details |= kTextsFlag;
+  if (!of_file.empty()) details |= kFileMetadataFlag;
+  return details;
+}
+
+Status put_details(std::uint8_t details, const PageInfo& info,
+                   const Metadata& of_file, ByteWriter& out) {
+  out.u8(details);
+  if ((details & kResolutionFlag) != 0) put_resolution(info.resolution, out);
+  if ((details & kTextsFlag) != 0) {
+    out.varint(info.name.size());
+    out.bytes({reinterpret_cast<const std::uint8_t*>(info.name.data()),
+               info.name.size()});
+    if (Status put = write_metadata(info.metadata, out); !put) return put;
+  }
+  if ((details & kFileMetadataFlag) == 0) return {};
+  return write_metadata(of_file, out);
+}
+
+/// Page flags, canvas, details, path head. `other_flags` fill bits 0, 1, 3, 4.
+Status put_page_head(const PageParts& page, std::uint8_t other_flags,
+                     const Metadata& of_file, ByteWriter& out) {
+  const std::uint8_t details = details_of(page.info, of_file);
+  const bool square = page.canvas.width == page.canvas.height;
   std::uint8_t flags = other_flags;
-  const bool resolution = page.info.resolution != Resolution{};
-  if (resolution) flags |= kResolutionFlag;
+  if (square) flags |= kSquareFlag;
+  if (details != 0) flags |= kDetailsFlag;
   flags |= kind_flags(page);
   out.u8(flags);
   out.varint(static_cast<std::uint64_t>(page.canvas.width));
-  out.varint(static_cast<std::uint64_t>(page.canvas.height));
-  if (resolution) put_resolution(page.info.resolution, out);
+  if (!square) out.varint(static_cast<std::uint64_t>(page.canvas.height));
+  if (details != 0) {
+    if (Status put = put_details(details, page.info, of_file, out); !put) {
+      return put;
+    }
+  }
   if (kind_flags(page) == kPathsKind) put_path_head(page, out);
+  return {};
 }
 
 /// Type, length, content, CRC of all three.
@@ -102,13 +133,7 @@ void put_block(std::uint8_t type, const ByteWriter& content, ByteWriter& out) {
 
 Status put_page(const PageParts& page, ByteWriter& out) {
   ByteWriter content;
-  put_page_head(page, 0, content);
-  content.varint(page.info.name.size());
-  content.bytes({reinterpret_cast<const std::uint8_t*>(page.info.name.data()),
-                 page.info.name.size()});
-  if (Status put = write_metadata(page.info.metadata, content); !put) {
-    return put;
-  }
+  if (Status put = put_page_head(page, 0, {}, content); !put) return put;
   content.varint(page.blocks.size());
   content.u32(page.checksum);
   put_block(kPageBlock, content, out);
@@ -210,17 +235,24 @@ Status check_page(const PageParts& page) {
   return write_metadata(info.metadata, unused);
 }
 
-bool fits_short_form(std::span<const PageParts> pages,
-                     const Metadata& metadata) {
-  return pages.size() == 1 && pages[0].blocks.size() == 1 && metadata.empty() &&
-         pages[0].info.name.empty() && pages[0].info.metadata.empty();
+bool fits_short_form(std::span<const PageParts> pages) {
+  return pages.size() == 1 && pages[0].blocks.size() == 1;
 }
 
-std::vector<std::uint8_t> short_form(const PageParts& page) {
+Result<std::vector<std::uint8_t>> short_form(const PageParts& page,
+                                             const Metadata& metadata) {
+  if (Status fits = check_metadata_total({&page, 1}, metadata); !fits) {
+    return fits.error();
+  }
   const BlockParts& block = page.blocks[0];
+  const bool usual = block.encoded.name == usual_coder(page.kind);
   ByteWriter head;
-  put_page_head(page, kVersion, head);
-  put_coder_name(block.encoded.name, head);
+  if (Status put = put_page_head(
+          page, usual ? kVersion | kUsualCoderFlag : kVersion, metadata, head);
+      !put) {
+    return put.error();
+  }
+  if (!usual) put_coder_name(block.encoded.name, head);
   const std::uint64_t decoded_bytes = put_counts(page, block, head);
   ByteWriter out;
   out.bytes(kSignature);

@@ -43,15 +43,15 @@ struct PageParts {
 Status check_page(const PageParts& page);
 
 /// True if the short form can hold it.
-[[nodiscard]] bool fits_short_form(std::span<const PageParts> pages,
-                                   const Metadata& metadata);
+[[nodiscard]] bool fits_short_form(std::span<const PageParts> pages);
 
-/// REQUIRES: fits_short_form, checked pages.
-[[nodiscard]] std::vector<std::uint8_t> short_form(const PageParts& page);
+/// `metadata`: the file's. Both forms fail as write_metadata does, and with
+/// limit_exceeded if there is too much metadata in all.
+/// REQUIRES: fits_short_form, a checked page.
+Result<std::vector<std::uint8_t>> short_form(const PageParts& page,
+                                             const Metadata& metadata);
 
 /// REQUIRES: at least one page, each checked and with at least one block.
-/// Fails as write_metadata does, and with limit_exceeded if there is too much
-/// metadata in all.
 Result<std::vector<std::uint8_t>> block_form(std::span<const PageParts> pages,
                                              const Metadata& metadata);
 

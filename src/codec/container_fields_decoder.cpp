@@ -1,9 +1,12 @@
 #include "codec/container_fields_decoder.h"
 
 #include <limits>
+#include <string>
 
 #include "codec/checksum.h"
+#include "codec/metadata_decoder.h"
 #include "codec/path_checksum.h"
+#include "codec/text_rules.h"
 
 namespace unstep::codec {
 namespace {
@@ -27,24 +30,77 @@ Rational read_rational(ByteReader& in) {
   return value;
 }
 
-Resolution read_resolution(ByteReader& in) {
-  const std::uint64_t start = in.position();
-  const std::uint8_t head = in.u8("the resolution's unit");
-  if (head > 7) {
-    in.fail(ErrorCode::corrupt, start, "unknown unit of resolution");
-  }
+Resolution read_resolution(std::uint8_t details, ByteReader& in) {
+  const std::uint64_t start = in.position() - 1;
   Resolution resolution;
-  resolution.unit = static_cast<Resolution::Unit>(head & 3);
+  resolution.unit = static_cast<Resolution::Unit>(details & kUnitMask);
   resolution.x = read_rational(in);
-  const bool square = (head & 4) != 0;
-  resolution.y = square ? resolution.x : read_rational(in);
-  if (!square && resolution.x == resolution.y) {
+  const bool same = (details & kSameBothWaysFlag) != 0;
+  resolution.y = same ? resolution.x : read_rational(in);
+  if (!same && resolution.x == resolution.y) {
     in.fail(ErrorCode::corrupt, start, "equal resolutions are given twice");
   }
   if (resolution == Resolution{}) {
     in.fail(ErrorCode::corrupt, start, "resolution that says nothing");
   }
   return resolution;
+}
+
+std::string read_name(ByteReader& in) {
+  const std::uint64_t start = in.position();
+  const std::uint64_t size =
+      in.varint("the length of the page's name", kMaxNameBytes);
+  const auto bytes = in.bytes("the page's name", size);
+  std::string name(bytes.begin(), bytes.end());
+  if (!is_text(name)) {
+    in.fail(ErrorCode::corrupt, start, "page name is not UTF-8 text");
+  }
+  return name;
+}
+
+void read_details(ByteReader& in, MetadataSink metadata, PageEntry& page) {
+  const std::uint64_t start = in.position();
+  const std::uint8_t details = in.u8("the page's details");
+  const bool resolution = (details & kResolutionFlag) != 0;
+  const unsigned known = kResolutionFlag | kTextsFlag |
+                         (resolution ? kUnitMask | kSameBothWaysFlag : 0U) |
+                         (metadata.of_file != nullptr ? kFileMetadataFlag : 0U);
+  if ((details & ~known) != 0 || details == 0) {
+    in.fail(ErrorCode::corrupt, start, "unknown details of a page");
+    return;
+  }
+  if (resolution) page.info.resolution = read_resolution(details, in);
+  if ((details & kTextsFlag) != 0) {
+    page.info.name = read_name(in);
+    page.info.metadata = read_metadata(in, metadata.budget);
+    if (page.info.name.empty() && page.info.metadata.empty()) {
+      in.fail(ErrorCode::corrupt, start, "texts of a page that has none");
+    }
+  }
+  if ((details & kFileMetadataFlag) != 0) {
+    *metadata.of_file = read_metadata(in, metadata.budget);
+    if (metadata.of_file->empty()) {
+      in.fail(ErrorCode::corrupt, start, "metadata of a file that has none");
+    }
+  }
+}
+
+void read_canvas(std::uint8_t flags, ByteReader& in, PageEntry& page) {
+  const std::uint64_t start = in.position();
+  const bool square = (flags & kSquareFlag) != 0;
+  Canvas& canvas = page.canvas;
+  canvas.width = static_cast<std::int32_t>(in.varint("the width", kMaxCoord));
+  canvas.height =
+      square ? canvas.width
+             : static_cast<std::int32_t>(in.varint("the height", kMaxCoord));
+  if (!square && canvas.width == canvas.height) {
+    in.fail(ErrorCode::corrupt, start, "equal sides are given twice");
+  }
+  const bool ink = page.kind == PageKind::ink;
+  const bool empty = canvas.width == 0 || canvas.height == 0;
+  if (empty && (ink || canvas.width != canvas.height)) {
+    in.fail(ErrorCode::corrupt, start, "canvas with a side of 0");
+  }
 }
 
 Rational read_tolerance(ByteReader& in, bool whole) {
@@ -95,26 +151,15 @@ void read_path_head(ByteReader& in, PageEntry& page) {
 
 }  // namespace
 
-void read_page_head(std::uint8_t flags, ByteReader& in, PageEntry& page) {
-  const std::uint64_t start = in.position();
+void read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
+                    PageEntry& page) {
   const unsigned kind = flags & kKindMask;
   page.kind = kind == kInkKind     ? PageKind::ink
               : kind == kPathsKind ? PageKind::paths
                                    : PageKind::chains;
   if (kind == kChainsUpKind) page.canvas.y_axis = YAxis::up;
-  page.canvas.width =
-      static_cast<std::int32_t>(in.varint("the width", kMaxCoord));
-  page.canvas.height =
-      static_cast<std::int32_t>(in.varint("the height", kMaxCoord));
-  const bool ink = page.kind == PageKind::ink;
-  const bool empty = page.canvas.width == 0 || page.canvas.height == 0;
-  const bool unbounded = page.canvas.width == 0 && page.canvas.height == 0;
-  if (ink ? empty : empty && !unbounded) {
-    in.fail(ErrorCode::corrupt, start, "canvas with a side of 0");
-  }
-  if ((flags & kResolutionFlag) != 0) {
-    page.info.resolution = read_resolution(in);
-  }
+  read_canvas(flags, in, page);
+  if ((flags & kDetailsFlag) != 0) read_details(in, metadata, page);
   if (page.kind == PageKind::paths) read_path_head(in, page);
 }
 
@@ -132,6 +177,22 @@ void read_coder_name(ByteReader& in, PageEntry::Block& block) {
   block.table = in.u8("the coder's table");
   if (block.revision <= 2 && block.table <= 1) {
     in.fail(ErrorCode::corrupt, start, "long coder name for a short one");
+  }
+}
+
+void read_short_coder_name(std::uint8_t flags, ByteReader& in, PageKind kind,
+                           PageEntry::Block& block) {
+  const CoderName usual = usual_coder(kind);
+  if ((flags & kUsualCoderFlag) != 0) {
+    block.coder = usual.coder;
+    block.revision = usual.revision;
+    block.table = usual.table;
+    return;
+  }
+  const std::uint64_t start = in.position();
+  read_coder_name(in, block);
+  if (CoderName{block.coder, block.revision, block.table} == usual) {
+    in.fail(ErrorCode::corrupt, start, "the usual coder is named");
   }
 }
 

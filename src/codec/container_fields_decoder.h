@@ -9,12 +9,22 @@
 /// stick in the ByteReader.
 namespace unstep::codec {
 
-/// Kind, canvas, resolution and path head (docs/format.md, Page head). `flags`
-/// is the byte already read; bits 0-4 are the caller's.
-void read_page_head(std::uint8_t flags, ByteReader& in, PageEntry& page);
+/// Where the metadata of a file's lists go.
+struct MetadataSink {
+  std::uint64_t& budget;        ///< what the rest of the lists may cost
+  Metadata* of_file = nullptr;  ///< null if a page head may have none
+};
 
-/// Coder, revision and table.
+/// Kind, canvas, details and path head (docs/format.md, Page head). `flags` is
+/// the byte already read; bits 0, 1, 3 and 4 are the caller's.
+void read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
+                    PageEntry& page);
+
+/// Coder, revision and table; of the usual one nothing is stored if the page
+/// flags of a short form say so.
 void read_coder_name(ByteReader& in, PageEntry::Block& block);
+void read_short_coder_name(std::uint8_t flags, ByteReader& in, PageKind kind,
+                           PageEntry::Block& block);
 
 /// How many chains and steps, or paths and elements, a payload holds; ink has
 /// neither. Gives the canonical bytes of such a payload, 0 for ink.

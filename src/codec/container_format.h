@@ -14,20 +14,29 @@ namespace unstep::codec {
 /// Not ASCII, not UTF-8, and broken by a 7-bit or a text-mode transfer.
 inline constexpr std::array<std::uint8_t, 4> kSignature{0xf5, 0x55, 0x0d, 0x0a};
 
-/// The byte after the signature: version in bits 0-3, form in bit 4, the page
-/// flags of a short form in bits 5-7.
+/// The byte after the signature: version in bits 0-1, form in bit 4, the page
+/// flags of a short form in the others.
 inline constexpr std::uint8_t kVersion = 0;
-inline constexpr std::uint8_t kVersionMask = 0x0f;
+inline constexpr std::uint8_t kVersionMask = 0x03;
 inline constexpr std::uint8_t kBlockFormFlag = 0x10;
 
 /// Page flags. Bits 6 and 7 together say what the page holds; the y axis of
 /// paths is in their path head.
-inline constexpr std::uint8_t kResolutionFlag = 0x20;
+inline constexpr std::uint8_t kSquareFlag = 0x04;
+inline constexpr std::uint8_t kUsualCoderFlag = 0x08;  ///< short form
+inline constexpr std::uint8_t kDetailsFlag = 0x20;
 inline constexpr std::uint8_t kKindMask = 0xc0;
 inline constexpr std::uint8_t kInkKind = 0x00;
 inline constexpr std::uint8_t kChainsKind = 0x40;
 inline constexpr std::uint8_t kPathsKind = 0x80;
 inline constexpr std::uint8_t kChainsUpKind = 0xc0;  ///< chains, y up
+
+/// Details of a page. Bits 0-2 are of the resolution.
+inline constexpr std::uint8_t kUnitMask = 0x03;
+inline constexpr std::uint8_t kSameBothWaysFlag = 0x04;
+inline constexpr std::uint8_t kResolutionFlag = 0x08;
+inline constexpr std::uint8_t kTextsFlag = 0x10;         ///< name, metadata
+inline constexpr std::uint8_t kFileMetadataFlag = 0x20;  ///< short form
 
 /// Path head.
 inline constexpr std::uint8_t kFidelityMask = 0x03;
@@ -56,7 +65,8 @@ inline constexpr std::uint8_t kFidelityExact = 0;
 
 inline constexpr std::uint64_t kMaxNameBytes = 4096;
 inline constexpr std::uint64_t kMaxMetadataBytes = 1U << 20;  ///< one list
-inline constexpr std::uint64_t kMaxMetadataPairs = 4096;      ///< one list
+inline constexpr std::uint64_t kMaxPackedMetadataBytes = 2U << 20;
+inline constexpr std::uint64_t kMaxMetadataPairs = 4096;  ///< one list
 
 /// What all metadata of one file may cost together, metadata_cost of each
 /// list. Bounds the memory that opening a small hostile file can take.

@@ -3,22 +3,35 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <new>
 #include <string_view>
 #include <unordered_set>
 #include <vector>
 
 #include "codec/container_format.h"
+#include "codec/metadata_words.h"
 #include "codec/text_rules.h"
 
 namespace unstep::codec {
 namespace {
 
+/// `packed` is a list of at most kMaxMetadataBytes and known sizes.
 bool inflate_exactly(std::span<const std::uint8_t> packed,
                      std::vector<std::uint8_t>& raw) {
-  uLongf raw_size = static_cast<uLongf>(raw.size());
-  uLong consumed = static_cast<uLong>(packed.size());
-  return uncompress2(raw.data(), &raw_size, packed.data(), &consumed) == Z_OK &&
-         raw_size == raw.size() && consumed == packed.size();
+  z_stream stream{};
+  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
+  stream.next_in = const_cast<Bytef*>(packed.data());
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = raw.data();
+  stream.avail_out = static_cast<uInt>(raw.size());
+  const bool done =
+      inflateSetDictionary(
+          &stream, reinterpret_cast<const Bytef*>(kMetadataWords.data()),
+          static_cast<uInt>(kMetadataWords.size())) == Z_OK &&
+      inflate(&stream, Z_FINISH) == Z_STREAM_END && stream.avail_in == 0 &&
+      stream.avail_out == 0;
+  inflateEnd(&stream);
+  return done;
 }
 
 /// The text up to the next zero byte; false if there is none.
@@ -51,7 +64,8 @@ Metadata read_metadata(ByteReader& in, std::uint64_t& budget) {
                                            std::min(budget, kMaxMetadataBytes));
   if (!in.ok() || raw_size == 0) return {};
   const std::uint64_t packed_size =
-      in.varint("the packed size of the metadata", in.left());
+      in.varint("the packed size of the metadata",
+                std::min(in.left(), kMaxPackedMetadataBytes));
   const auto packed = in.bytes("the metadata", packed_size);
   if (!in.ok()) return {};
   std::vector<std::uint8_t> raw(static_cast<std::size_t>(raw_size));

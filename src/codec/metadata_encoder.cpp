@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codec/container_format.h"
+#include "codec/metadata_words.h"
 #include "codec/text_rules.h"
 
 namespace unstep::codec {
@@ -41,6 +42,30 @@ Status check(const Metadata& metadata) {
   return {};
 }
 
+Status deflate_list(std::vector<std::uint8_t>& raw,
+                    std::vector<std::uint8_t>& packed) {
+  const Error no_memory{ErrorCode::limit_exceeded, "no memory for deflate"};
+  z_stream stream{};
+  if (deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 9, Z_DEFAULT_STRATEGY) !=
+      Z_OK) {
+    return no_memory;
+  }
+  packed.resize(deflateBound(&stream, static_cast<uLong>(raw.size())));
+  stream.next_in = raw.data();
+  stream.avail_in = static_cast<uInt>(raw.size());
+  stream.next_out = packed.data();
+  stream.avail_out = static_cast<uInt>(packed.size());
+  const bool done =
+      deflateSetDictionary(
+          &stream, reinterpret_cast<const Bytef*>(kMetadataWords.data()),
+          static_cast<uInt>(kMetadataWords.size())) == Z_OK &&
+      deflate(&stream, Z_FINISH) == Z_STREAM_END;
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (!done) return no_memory;
+  return {};
+}
+
 }  // namespace
 
 std::uint64_t metadata_bytes(const Metadata& metadata) {
@@ -62,13 +87,8 @@ Status write_metadata(const Metadata& metadata, ByteWriter& out) {
   }
   out.varint(raw.size());
   if (raw.empty()) return {};
-  uLongf packed_size = compressBound(static_cast<uLong>(raw.size()));
-  std::vector<std::uint8_t> packed(packed_size);
-  if (compress2(packed.data(), &packed_size, raw.data(),
-                static_cast<uLong>(raw.size()), 9) != Z_OK) {
-    return Error{ErrorCode::limit_exceeded, "no memory for deflate"};
-  }
-  packed.resize(packed_size);
+  std::vector<std::uint8_t> packed;
+  if (Status done = deflate_list(raw, packed); !done) return done;
   out.varint(packed.size());
   out.bytes(packed);
   return {};

@@ -150,9 +150,8 @@ Result<std::vector<std::uint8_t>> UstpWriter::finish() {
   const Metadata& metadata = impl_->options.metadata;
   try {
     Result<std::vector<std::uint8_t>> file =
-        codec::fits_short_form(pages, metadata)
-            ? codec::short_form(pages[0])
-            : codec::block_form(pages, metadata);
+        codec::fits_short_form(pages) ? codec::short_form(pages[0], metadata)
+                                      : codec::block_form(pages, metadata);
     if (!file || !impl_->options.verify) return file;
     if (Status proof = prove_file(*file, pages, metadata); !proof) {
       return proof.error();

@@ -131,7 +131,7 @@ std::vector<Sample> samples() {
       {"resolution", with_resolution(glyph)},
       {"two pages", rich_file(1)},
       {"two pages in bands", rich_file(3)},
-      {"stored", codec::short_form(stored_page(noise, 1))},
+      {"stored", *codec::short_form(stored_page(noise, 1), {})},
       {"stored bands", *codec::block_form(stored_bands, {})},
       {"paths from batch", write_paths(batch_options(), rich_info())},
   };

@@ -61,19 +61,34 @@ void expect_corrupt(const std::vector<RawBlock>& blocks,
 /// An ink page block of 20 x 10 with these metadata bytes.
 RawBlock page_with_metadata(const Bytes& metadata) {
   ByteWriter out;
-  out.bytes(Bytes{0, 20, 10, 0});
+  out.bytes(Bytes{codec::kDetailsFlag, 20, 10, codec::kTextsFlag, 0});
   out.bytes(metadata);
   out.varint(2);
   out.u32(random_ink(20, 10, 1).crc32());
   return {codec::kPageBlock, out.take()};
 }
 
+/// Length and bytes of a name for a page block without details.
+void give_name(RawBlock& page, const Bytes& name) {
+  Bytes texts{codec::kTextsFlag};
+  texts.insert(texts.end(), name.begin(), name.end());
+  texts.push_back(0);  // no metadata
+  page.content[0] = codec::kDetailsFlag;
+  page.content.insert(page.content.begin() + 3, texts.begin(), texts.end());
+}
+
 Bytes metadata_list(const std::string& raw, std::uint64_t claimed) {
-  Bytes packed(compressBound(static_cast<uLong>(raw.size())));
-  uLongf size = static_cast<uLongf>(packed.size());
-  compress(packed.data(), &size, reinterpret_cast<const Bytef*>(raw.data()),
-           static_cast<uLong>(raw.size()));
-  packed.resize(size);
+  z_stream stream{};
+  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 9, Z_DEFAULT_STRATEGY);
+  Bytes packed(deflateBound(&stream, static_cast<uLong>(raw.size())));
+  Bytes bytes(raw.begin(), raw.end());
+  stream.next_in = bytes.data();
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = packed.data();
+  stream.avail_out = static_cast<uInt>(packed.size());
+  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
   ByteWriter out;
   out.varint(claimed);
   out.varint(packed.size());
@@ -182,20 +197,27 @@ TEST(HostileBlockForm, BandsMustTileThePageInOrder) {
 }
 
 TEST(HostileBlockForm, PayloadBlocksMustMatchThePageCount) {
-  // Page content: flags, width, height, name length, metadata, blocks, CRC.
+  // Page content: flags, width, height, blocks, CRC.
   std::vector<RawBlock> blocks = without_index(intact());
-  blocks[kPage].content[5] = 1;
+  blocks[kPage].content[3] = 1;
   expect_corrupt(blocks, "bands do not tile the page");
-  blocks[kPage].content[5] = 3;
+  blocks[kPage].content[3] = 3;
   expect_corrupt(blocks, "page block in the wrong place");
-  blocks[kPage].content[5] = 0;
+  blocks[kPage].content[3] = 0;
   expect_corrupt(blocks, "page without payload blocks");
   blocks = without_index(intact());
   blocks.insert(blocks.begin() + kSecondPage, blocks[kBand + 1]);
   expect_corrupt(blocks, "payload block without a page");
   blocks = intact();
-  blocks[kPage].content[0] = 1;
-  expect_corrupt(blocks, "unknown page flags");
+  for (const int flag : {1, 2, 8, 16}) {
+    blocks[kPage].content[0] = static_cast<std::uint8_t>(flag);
+    expect_corrupt(blocks, "unknown page flags");
+  }
+  blocks = intact();
+  blocks[kPage].content[0] = codec::kDetailsFlag;
+  blocks[kPage].content.insert(blocks[kPage].content.begin() + 3,
+                               codec::kFileMetadataFlag);
+  expect_corrupt(blocks, "unknown details");
 }
 
 TEST(HostileBlockForm, EveryChecksumIsCompared) {
@@ -303,13 +325,11 @@ TEST(HostileBlockForm, PageNamesMustBeText) {
   for (const Bytes& name :
        {Bytes{1, 0xff}, {1, 0}, {2, 0xc3, 0x28}, {3, 0xe0, 0x80, 0x80}}) {
     std::vector<RawBlock> blocks = intact();
-    Bytes& content = blocks[kPage].content;
-    content.erase(content.begin() + 3);
-    content.insert(content.begin() + 3, name.begin(), name.end());
+    give_name(blocks[kPage], name);
     expect_corrupt(blocks, "page name is not UTF-8");
   }
   std::vector<RawBlock> blocks = intact();
-  blocks[kPage].content[3] = 100;
+  give_name(blocks[kPage], {100});
   expect_corrupt(blocks, "data ends inside the page's name");
 }
 

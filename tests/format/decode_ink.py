@@ -152,21 +152,45 @@ def varint(data, at):
             return value, at
 
 
+def skip_details(data, at):
+    """Page head, Details: where they end."""
+    def skip_metadata(at):
+        size, at = varint(data, at)
+        if size == 0:
+            return at
+        packed, at = varint(data, at)
+        return at + packed
+
+    details, at = data[at], at + 1
+    if details & 8:
+        for _ in range(2 if details & 4 else 4):
+            _, at = varint(data, at)
+    if details & 16:
+        length, at = varint(data, at)
+        at = skip_metadata(at + length)
+    if details & 32:
+        at = skip_metadata(at)
+    return at
+
+
 def decode(data, trace=False):
     """Start of every file, Short form. Returns width, height, rows of PBM."""
-    if data[:4] != b"\xf5\x55\x0d\x0a" or data[4] & 0xDF:
+    flags = data[4]
+    if data[:4] != b"\xf5\x55\x0d\x0a" or flags & 0xD3:
         raise Damaged("not a short form with ink")
     width, at = varint(data, 5)
-    height, at = varint(data, at)
-    if data[4] & 0x20:
-        unit = data[at]
-        at += 1
-        for _ in range(2 if unit & 4 else 4):
-            _, at = varint(data, at)
-    name = data[at] & 31, data[at] >> 5 & 3
-    if data[at] < 128 or name not in ((1, 0), (1, 1), (1, 2), (2, 0), (2, 1)):
+    height = width
+    if not flags & 4:
+        height, at = varint(data, at)
+    if flags & 0x20:
+        at = skip_details(data, at)
+    packed = 0x81
+    if not flags & 8:
+        packed, at = data[at], at + 1
+    name = packed & 31, packed >> 5 & 3
+    if packed < 128 or name not in ((1, 0), (1, 1), (1, 2), (2, 0), (2, 1)):
         raise Damaged("another coder than 1 and 2")
-    head, stored, payload = data[4:at + 1], data[at + 1:at + 5], data[at + 5:]
+    head, stored, payload = data[4:at], data[at:at + 4], data[at + 4:]
     coder = Interval(payload, trace)
     image = [[0] * width for _ in range(height)]
     if name[0] == 2:

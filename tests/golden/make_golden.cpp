@@ -99,7 +99,7 @@ void write_all_valid(const fs::path& folder) {
   const Resolution odd{
       {0xffffffffU, 0xfffffffeU}, {1, 0xffffffffU}, Resolution::Unit::metre};
   const auto short_form = [](const Bitmap& ink, const Resolution& resolution) {
-    return codec::short_form(stored_page(ink, 1, {"", resolution, {}}));
+    return *codec::short_form(stored_page(ink, 1, {"", resolution, {}}), {});
   };
   write_valid(folder, "short_white_8x8", short_form(white, {}));
   write_valid(folder, "short_glyph_8x8", short_form(glyph(), {}));
@@ -109,6 +109,11 @@ void write_all_valid(const fs::path& folder) {
   write_valid(folder, "short_fax_resolution",
               short_form(random_ink(40, 20, 6), fax));
   write_valid(folder, "short_odd_resolution", short_form(glyph(), odd));
+  write_valid(folder, "short_with_texts",
+              *codec::short_form(
+                  stored_page(random_ink(20, 10, 7), 1,
+                              {"front", fax, {{"tiff:Software", "a scanner"}}}),
+                  {{"unstep:source-size", "1234"}}));
   write_valid(folder, "block_two_pages",
               *codec::block_form(two_pages(), Metadata{{"title", "both"}}));
   write_valid(folder, "block_uneven_bands",
@@ -118,24 +123,24 @@ void write_all_valid(const fs::path& folder) {
 }
 
 void write_all_failing(const fs::path& folder) {
-  Bytes version = codec::short_form(stored_page(glyph(), 1));
+  Bytes version = *codec::short_form(stored_page(glyph(), 1), {});
   version[4] = 1;
   write_failing(folder, "unsupported_version-newer", version);
 
-  Bytes checksum = codec::short_form(stored_page(glyph(), 1));
-  checksum[8] ^= 1;
+  Bytes checksum = *codec::short_form(stored_page(glyph(), 1), {});
+  checksum[7] ^= 1;
   write_failing(folder, "checksum_mismatch-short", checksum);
 
-  Bytes magic = codec::short_form(stored_page(glyph(), 1));
+  Bytes magic = *codec::short_form(stored_page(glyph(), 1), {});
   magic[2] = '\n';
   write_failing(folder, "bad_magic-line_ends", magic);
 
-  Bytes overlong{0xf5, 0x55, 0x0d, 0x0a, 0x00, 0x88, 0x00, 0x08, 0x00};
+  Bytes overlong{0xf5, 0x55, 0x0d, 0x0a, 0x00, 0x88, 0x00, 0x09, 0x00};
   overlong.insert(overlong.end(), 12, 0);
   write_failing(folder, "corrupt-overlong_varint", overlong);
 
   Bytes huge{0xf5, 0x55, 0x0d, 0x0a, 0x00, 0xff, 0xff, 0xff,
-             0xff, 0x03, 0xff, 0xff, 0xff, 0xff, 0x03, 0x00};
+             0xff, 0x03, 0xfe, 0xff, 0xff, 0xff, 0x03, 0x00};
   huge.insert(huge.end(), 12, 0);
   write_failing(folder, "limit_exceeded-huge_canvas", huge);
 

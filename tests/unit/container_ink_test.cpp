@@ -116,7 +116,7 @@ TEST(ContainerInk, KeepsUnusualResolutionsExactly) {
   }
 }
 
-TEST(ContainerInk, ShortFormCostsAtMostFourteenBytes) {
+TEST(ContainerInk, ShortFormCostsTenToThirteenBytes) {
   for (const auto& [width, height] :
        {std::pair{8, 8}, {127, 127}, {500, 300}, {16383, 20}}) {
     const Bytes file =
@@ -126,19 +126,42 @@ TEST(ContainerInk, ShortFormCostsAtMostFourteenBytes) {
     EXPECT_EQ(reader->info().form, FileInfo::Form::short_form);
     const PageEntry::Block& block = reader->info().pages[0].blocks[0];
     EXPECT_EQ(block.offset + block.bytes, file.size());
-    EXPECT_LE(block.offset, width < 128 ? 12U : 14U);
+    // One less for square pages and for the usual coder.
+    const bool usual = block.coder == 1;
+    EXPECT_EQ(block.offset + (width == height ? 1 : 0) + (usual ? 1 : 0),
+              width < 128    ? 12U
+              : height < 128 ? 13U
+                             : 14U);
   }
 }
 
-TEST(ContainerInk, ResolutionKeepsTheShortFormAndNameDoesNot) {
+TEST(ContainerInk, OnePageKeepsTheShortFormWhateverIsSaidOfIt) {
   const std::vector<Bitmap> pages{random_ink(20, 20, 6)};
   PageInfo info;
   info.resolution = {{300, 1}, {300, 1}, Resolution::Unit::inch};
-  const Bytes with_resolution = write_pages(pages, {}, info);
-  EXPECT_EQ(open(with_resolution)->info().form, FileInfo::Form::short_form);
+  EXPECT_EQ(open(write_pages(pages, {}, info))->info().form,
+            FileInfo::Form::short_form);
   info.name = "a";
-  const Bytes with_name = write_pages(pages, {}, info);
-  EXPECT_EQ(open(with_name)->info().form, FileInfo::Form::block_form);
+  info.metadata = {{"tiff:Software", "a scanner"}};
+  EncodeOptions options;
+  options.metadata = {{"unstep:source-size", "1234"}};
+  const Bytes file = write_pages(pages, options, info);
+  const Result<UstpReader> reader = open(file);
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(reader->info().form, FileInfo::Form::short_form);
+  EXPECT_EQ(reader->info().metadata, options.metadata);
+  EXPECT_EQ(reader->info().pages[0].info.name, info.name);
+  EXPECT_EQ(reader->info().pages[0].info.metadata, info.metadata);
+  EXPECT_EQ(reader->info().pages[0].info.resolution, info.resolution);
+}
+
+TEST(ContainerInk, WordsThatAreOftenSaidCostLittle) {
+  const std::vector<Bitmap> pages{random_ink(20, 20, 6)};
+  PageInfo info;
+  info.metadata = {{"tiff:DocumentName", "Standard Input"},
+                   {"tiff:ImageDescription", "converted PNM file"}};
+  EXPECT_LE(write_pages(pages, {}, info).size(),
+            write_pages(pages, {}).size() + 10);
 }
 
 TEST(ContainerInk, CutsBandsByItselfOnlyAboveTheDocumentedSize) {
