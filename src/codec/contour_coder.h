@@ -44,8 +44,8 @@ inline constexpr std::uint8_t kContourFast = 2;
   if (revision == kContourMax) {
     return pixels < 40'000 ? 14 : pixels < 2'000'000 ? 16 : 19;
   }
-  if (pixels < 40'000) return 12;
-  if (pixels < 2'000'000) return 14;
+  if (pixels < 40'000) return 13;
+  if (pixels < 2'000'000) return 15;
   return pixels <= 24'000'000 ? 17 : 15;
 }
 

@@ -19,6 +19,7 @@ std::uint64_t spread(std::uint64_t left, std::uint64_t bits,
 
 StartModel::StartModel(const CrackMap& cracks, const warm::Table& start)
     : cracks_(cracks),
+      far_((static_cast<std::size_t>(cracks.width()) + 63) / 64),
       near_(near_first(kContexts)),
       mixer_({64}, start.start_weights) {
   static_assert(kContexts == warm::kStartContexts);
@@ -79,6 +80,7 @@ StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
 
 void StartModel::begin_row(std::int32_t y) {
   y_ = y;
+  far_.begin_row(y);
   seen_ = false;
   row_last_.fill(-128);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -89,18 +91,25 @@ void StartModel::begin_row(std::int32_t y) {
   row_near_ = 0;
 }
 
-std::size_t StartModel::open_context(std::uint64_t mask, std::int32_t word,
-                                     bool ink) const {
+int StartModel::predict_open(std::uint64_t mask, std::int32_t word, bool ink) {
   const std::size_t i = ink ? 1 : 0;
   const int count = std::popcount(mask);
-  const std::size_t size = count > 40 ? 3 : count > 16 ? 2 : count > 5 ? 1 : 0;
-  const std::size_t row = std::min(row_starts_[i], 3U);
   const unsigned r = recent_[i];
   const std::size_t recent = r > 64 ? 3 : r > 16 ? 2 : r > 3 ? 1 : 0;
   const Column* here = &columns_[i][static_cast<std::size_t>(word) + 1];
+  const FarFlagModel::Sight sight{
+      ink,
+      count > 40   ? 3U
+      : count > 16 ? 2U
+      : count > 5  ? 1U
+                   : 0U,
+      std::min(row_starts_[i], 3U),
+      {age_level(here[-1]), age_level(here[0]), age_level(here[1])}};
   const std::size_t age =
-      std::min({age_level(here[-1]), age_level(here[0]), age_level(here[1])});
-  return (((i * 4 + size) * 4 + row) * 4 + recent) * 8 + age;
+      *std::min_element(sight.ages.begin(), sight.ages.end());
+  const std::size_t context =
+      (((i * 4 + sight.size) * 4 + sight.row) * 4 + recent) * 8 + age;
+  return far_.predict(flags_[context], static_cast<std::size_t>(word), sight);
 }
 
 std::size_t StartModel::age_level(const Column& column) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codec/crack_map.h"
+#include "codec/far_flag_model.h"
 #include "codec/warm_start.h"
 #include "entropy/counter.h"
 #include "entropy/mixer.h"
@@ -42,9 +43,9 @@ class StartModel {
   std::uint64_t code_open(Coder& coder, std::uint64_t mask, std::int32_t word,
                           bool ink, std::uint64_t starts) {
     Column& column = columns_[ink ? 1 : 0][static_cast<std::size_t>(word) + 1];
-    entropy::Counter& counter = flags_[open_context(mask, word, ink)];
-    const bool any = coder.code((starts & mask) != 0, counter.p1_fine());
-    counter.update(any);
+    const bool any =
+        coder.code((starts & mask) != 0, predict_open(mask, word, ink));
+    far_.update(any);
     if (!any) return 0;
     ++row_starts_[ink ? 1 : 0];
     const std::uint64_t bit =
@@ -174,8 +175,7 @@ class StartModel {
     return std::rotr(mask & range, static_cast<int>(anchor));
   }
 
-  [[nodiscard]] std::size_t open_context(std::uint64_t mask, std::int32_t word,
-                                         bool ink) const;
+  int predict_open(std::uint64_t mask, std::int32_t word, bool ink);
   [[nodiscard]] std::size_t group_context(std::uint64_t mask,
                                           std::uint64_t above, std::int32_t x,
                                           std::int32_t y) const;
@@ -188,6 +188,7 @@ class StartModel {
   std::array<unsigned, 2> row_starts_{};  ///< open starts in this row
   std::array<unsigned, 2> recent_{};      ///< decayed over the rows
   std::array<std::vector<Column>, 2> columns_;
+  FarFlagModel far_;
   std::int32_t y_ = 0;
   // The cracks known around a word and its neighbours.
   std::uint64_t left_ = 0, here_ = 0, right_ = 0;

@@ -56,13 +56,13 @@ class Scan:
         if revision == 2:
             self.turns = FastTurnModel(self.cracks)
         else:
-            small, middle, large, huge = ((12, 14, 17, 15), (14, 16, 19, 19)
+            small, middle, large, huge = ((13, 15, 17, 15), (14, 16, 19, 19)
                                           )[revision]
             table_bits = (small if size < 40000 else
                           middle if size < 2000000 else
                           large if size <= 24000000 else huge)
             self.turns = TurnModel(self.cracks, table_bits, table)
-        self.starts = StartModel(self.cracks, table)
+        self.starts = StartModel(self.cracks, table, (width + 63) // 64)
         self.above = [0] * width
 
     def run(self, image):

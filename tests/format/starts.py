@@ -5,7 +5,7 @@ from entropy import K, STRETCH, Mixer, clamp, top, update
 class StartModel:
     FAR, GROUP, SAME, PLACE = 0, 1024, 1264, 1280
 
-    def __init__(self, cracks, table):
+    def __init__(self, cracks, table, words):
         self.cracks, self.flags = cracks, table.flags
         self.recent, self.count = [0, 0], [0, 0]
         self.columns = {}  # (colour, word): (row, point) of the last far start
@@ -15,6 +15,14 @@ class StartModel:
             for index, _, p, n in records:
                 group[index >> (16 - b)] = [p[0], n[0]]
         self.mixer = Mixer((64,), table.start)
+        self.words = words
+        # Quick and slow density of a colour's words, one more on either side.
+        self.density = [[[0] * (words + 2) for _ in "qs"] for _ in "01"]
+        self.levels = [[(0, 0, 0)] * words for _ in "01"]
+        self.far = [{}, {}, {}]
+        self.far_mixer = Mixer((64,), [[3100, 332, 332, 332] + [0] * 4])
+        for vector in self.far_mixer.sets[0]:
+            vector[1] = 60000
 
     def begin_row(self, y):
         self.y, self.last, self.near_count = y, [-128, -128], 0
@@ -22,6 +30,23 @@ class StartModel:
             self.recent[c] += (16 * min(64, self.count[c])
                                - self.recent[c] // 4)
             self.count[c] = 0
+        if y % 4 == 0:
+            for c in (0, 1):
+                self.look(c)
+
+    def look(self, c):
+        quick, slow = self.density[c]
+        quick[:] = [d - (d + 3) // 4 for d in quick]
+        slow[:] = [d - (d + 31) // 32 for d in slow]
+
+        def level(d):
+            return min(7, (d >> 6).bit_length())
+
+        for w in range(1, self.words + 1):
+            near = [d[w - 1] + 2 * d[w] + d[w + 1] for d in (quick, slow)]
+            wide = sum(slow[max(0, w - 5):w + 6])
+            self.levels[c][w - 1] = (level(near[0]), level(near[1] // 2),
+                                     level(wide // 4))
 
     def age(self, c, word):
         if (c, word) not in self.columns:
@@ -33,12 +58,28 @@ class StartModel:
         word = mask[0] // 64
         size = sum(len(mask) > s for s in (5, 16, 40))
         r = sum(self.recent[c] > s for s in (3, 16, 64))
-        age = min(self.age(c, word + i) for i in (-1, 0, 1))
-        counter = self.flags[self.FAR + age + 8 * (
-            ((4 * c + size) * 4 + min(3, self.count[c])) * 4 + r)]
-        bit = coder.decode(clamp(counter[0], 2, 65534), "far start")
-        update(counter, bit)
+        ages = [self.age(c, word + i) for i in (-1, 0, 1)]
+        row = min(3, self.count[c])
+        known = self.flags[self.FAR + min(ages) + 8 * (
+            ((4 * c + size) * 4 + row) * 4 + r)]
+        quick, slow, wide = self.levels[c][word]
+        s = 2 * size + c
+        counters = [known] + [
+            far.setdefault(i * 8 + s, [known[0], 45])
+            for far, i in zip(self.far, (
+                (8 * ages[0] + ages[1]) * 8 + ages[2],
+                (8 * quick + slow) * 4 + row, (8 * wide + slow) * 8 + ages[1]))]
+        vector = (8 * min(7, counters[1][1].bit_length())
+                  + min(7, counters[2][1].bit_length()))
+        x = [STRETCH[p >> 4] for p, n in counters] + [0] * 4
+        p = clamp(self.far_mixer.predict(x, [vector]), 2, 65534)
+        bit = coder.decode(p, "far start")
+        self.far_mixer.learn(bit)
+        for counter in counters:
+            update(counter, bit)
         self.count[c] += bit
+        for d in self.density[c]:
+            d[word + 1] += 4096 * bit
         return bit
 
     def far_index(self, coder, mask, c):
