@@ -42,6 +42,9 @@ class TurnModel {
   static constexpr int kGateAge = 24;    ///< observations before it may
   static constexpr int kGateRare = 512;  ///< of 65536
 
+  /// Errors of this many 65536ths teach the weights nothing.
+  static constexpr int kSpared = 1000;
+
   static constexpr int kMaxTableBits = 20;
 
   /// `cracks` must outlive the model; 2^table_bits slots per context, fewer for
@@ -140,7 +143,7 @@ class TurnModel {
   std::vector<entropy::Counter> gates_;
   entropy::Counter* gate_ = nullptr;
   std::uint64_t around_ = 0;
-  entropy::Mixer<kInputs, kSets, 2> mixer_;
+  entropy::Mixer<kInputs, kSets, 2, kSpared> mixer_;
   /// By the last turns, by the nearest cracks.
   std::array<entropy::Refiner, 2> refiners_;
 

@@ -108,7 +108,11 @@ constexpr std::array<std::int16_t, 938> make_mixer_rates(int start, int end) {
 /// kLanes predictions can be open at once, so that learning may be put off
 /// until memory that was asked for has arrived. Lanes that are open together
 /// must not pick the same vectors.
-template <std::size_t kInputs, std::size_t kSets, std::size_t kLanes = 1>
+///
+/// A vector learns nothing from an error below kSpared / 65536. Where most
+/// decisions are nearly certain this keeps the rates up for those that are not.
+template <std::size_t kInputs, std::size_t kSets, std::size_t kLanes = 1,
+          int kSpared = 0>
 class Mixer {
   static_assert(kInputs % 8 == 0);
 
@@ -176,6 +180,7 @@ class Mixer {
     for (std::size_t s = 0; s < kSets; ++s) {
       std::uint16_t& age = ages_[s][l.chosen[s]];
       const int error = (bit ? 65536 : 0) - squash(l.outputs[s]);
+      if (error < kSpared && error > -kSpared) continue;
       // 65536 * 2047 fits int32, the result int16 (< 65536 * 2047 / 4096).
       const int rate = kRates[age / 64];
       if (age < 60000) ++age;

@@ -109,7 +109,8 @@ def update(counter, bit):
 class Mixer:
     """Mixer."""
 
-    def __init__(self, sizes, first_vectors):
+    def __init__(self, sizes, first_vectors, spared=0):
+        self.spared = spared
         first = [[clamp(4 * w, -32768, 32767) for w in vector]
                  for vector in first_vectors]
         self.sets = [[[first[v % len(first)], 0] for v in range(size)]
@@ -131,6 +132,8 @@ class Mixer:
 
     def learn(self, bit):
         for vector, o in zip(self.vectors, self.outputs):
+            if abs(65536 * bit - squash(o)) < self.spared:
+                continue
             w, age = vector
             rate = 350 + 1050 * 16 // (16 + age // 64)
             step = (65536 * bit - squash(o)) * rate >> 12

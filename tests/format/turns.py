@@ -54,7 +54,7 @@ class TurnModel(Walker):
                 slots[(index << 12 | check) >> (28 - b)] = [
                     check + 1, [p[0], n[0]], [p[1], n[1]]]
         self.gates = {}
-        self.mixer = Mixer((64, 1024, 1024, 1024), table.turn)
+        self.mixer = Mixer((64, 1024, 1024, 1024), table.turn, 1000)
         self.refiners = Refiner(), Refiner()
         self.match = Match()
 

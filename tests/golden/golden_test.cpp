@@ -216,6 +216,38 @@ TEST(Golden, ExampleOfTheFormatDescriptionIsTrue) {
                        "short_glyph_8x8.ustp"));
 }
 
+/// The golden files were made by an optimised build; this test runs in every
+/// build, without optimisation too. That ties the models to no compiler.
+TEST(Golden, EveryBuildMakesTheSameBytes) {
+  EncodeOptions standard;
+  EncodeOptions most;
+  most.effort = Effort::max;
+  EncodeOptions fast;
+  fast.effort = Effort::fast;
+  EncodeOptions bands;
+  bands.bands = 2;
+  const std::vector<std::pair<std::string, EncodeOptions>> names{
+      {"contours_glyph", standard},  {"contours_blots", standard},
+      {"contours_blots_max", most},  {"contours_blots_fast", fast},
+      {"contours_two_bands", bands}, {"shapes_text", standard},
+      {"chains_4_and_8", standard},  {"chains_y_up", standard}};
+  for (const auto& [name, options] : names) {
+    SCOPED_TRACE(name);
+    const Bytes file =
+        read(source_dir() / "tests" / "golden" / "valid" / (name + ".ustp"));
+    const Result<UstpReader> reader = UstpReader::open(file, {});
+    ASSERT_TRUE(reader);
+    const Result<Page> page = reader->read_page(0);
+    ASSERT_TRUE(page);
+    UstpWriter writer(options);
+    const PageInfo& info = reader->info().pages[0].info;
+    const bool ink = page->kind == PageKind::ink;
+    ASSERT_TRUE(ink ? writer.add_page(page->ink, info)
+                    : writer.add_page(page->drawing, info));
+    EXPECT_EQ(*writer.finish(), file);
+  }
+}
+
 /// The words stand between two marks, one a line.
 TEST(Golden, WordsOfTheFormatDescriptionAreThoseOfMetadata) {
   std::istringstream doc(read_text(source_dir() / "docs" / "format.md"));

@@ -244,6 +244,19 @@ TEST(Mixer, KeepsItsResults) {
   EXPECT_EQ(digest, 612358980U);
 }
 
+TEST(Mixer, SparesErrorsBelowItsLimit) {
+  constexpr std::array<std::array<std::int16_t, 8>, 1> kWeights{{{4096}}};
+  Mixer<8, 1, 1, 1000> mixer({1}, kWeights);
+  mixer.inputs()[0] = 1100;  // p = 0.9866, an error of 879
+  ASSERT_EQ(mixer.mix({0}), 1100);
+  mixer.update(true);
+  EXPECT_EQ(mixer.mix({0}), 1100);
+  EXPECT_EQ(mixer.ages(0)[0], 0);
+  mixer.update(false);
+  EXPECT_LT(mixer.mix({0}), 1100);
+  EXPECT_EQ(mixer.ages(0)[0], 1);
+}
+
 TEST(Mixer, GivesVectorsTheirOwnWeights) {
   constexpr std::array<std::array<std::int16_t, 8>, 2> kWeights{
       {{4096}, {-4096}}};
