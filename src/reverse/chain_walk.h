@@ -24,6 +24,7 @@ class ChainWalk {
     }
   }
 
+  [[nodiscard]] std::span<const Step> steps() const { return steps_; }
   [[nodiscard]] std::size_t size() const { return steps_.size(); }
   [[nodiscard]] bool closed() const { return closed_; }
   [[nodiscard]] Point origin() const { return origin_; }

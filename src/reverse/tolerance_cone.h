@@ -35,16 +35,53 @@ class Cone {
  public:
   static constexpr std::int64_t kReach = std::int64_t{1} << 24;
 
+  struct Vector {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    friend bool operator==(const Vector&, const Vector&) = default;
+  };
+  struct Sides {
+    Vector left;
+    Vector right;
+    friend bool operator==(const Sides&, const Sides&) = default;
+  };
+
   explicit Cone(PathTolerance tolerance)
       : e_(tolerance.fixed),
-        near2_(static_cast<std::int64_t>(square(e_) >> kFraction2)),
+        near2_(square_below(tolerance)),
         fast2_(near2_ < kFastReach2 ? kFastReach2 : 0) {}
+
+  /// The greatest r^2 of points whose discs hold the apex.
+  static std::int64_t square_below(PathTolerance tolerance) {
+    return static_cast<std::int64_t>(square(tolerance.fixed) >> kFraction2);
+  }
+
+  /// The directions that meet the disc around q. REQUIRES: the disc has not the
+  /// apex, and |q| < 2^9.
+  static Sides sides_of(Point q, PathTolerance tolerance) {
+    const std::int64_t r2 = std::int64_t{q.x} * q.x + std::int64_t{q.y} * q.y;
+    return sides_of(q.x, q.y, opening<std::int64_t>(r2, tolerance.fixed));
+  }
 
   /// Forgets the points; the apex is elsewhere.
   void restart() {
     farthest2_ = 0;
     bounded_ = false;
   }
+
+  /// Goes on as if points had been added: the farthest at this r^2, and between
+  /// them they left these directions if one is outside the tolerance.
+  void resume(std::int64_t farthest2, const Sides& sides) {
+    farthest2_ = farthest2;
+    bounded_ = farthest2 > near2_;
+    left_ = sides.left;
+    right_ = sides.right;
+    single_ = bounded_ && cross<Wide>(right_, left_) == 0;
+  }
+
+  /// What is left of the directions. REQUIRES: a point outside the tolerance
+  /// was added.
+  [[nodiscard]] Sides sides() const { return {left_, right_}; }
 
   /// True if a line from the apex may end at q, the next point of the
   /// chain or one within e of the last that was added.
@@ -82,10 +119,6 @@ class Cone {
   static constexpr int kFraction2 = 2 * PathTolerance::kBits;
   static constexpr std::int64_t kFastReach2 = std::int64_t{1} << 18;
 
-  struct Vector {
-    std::int64_t x = 0;
-    std::int64_t y = 0;
-  };
   /// Adjacent and opposite side of half the angle that a disc leaves.
   struct Opening {
     std::int64_t along = 0;
@@ -141,6 +174,12 @@ class Cone {
     return {along > 0 ? along : 1, across};
   }
 
+  static Sides sides_of(std::int64_t x, std::int64_t y, Opening half) {
+    return {
+        {x * half.along - y * half.across, y * half.along + x * half.across},
+        {x * half.along + y * half.across, y * half.along - x * half.across}};
+  }
+
   /// A point at r < the farthest R: the ray's point at t = t(R) is in its disc
   /// if the ray's distance from q is at most sqrt(e^2 - d^2), where d = (R^2 -
   /// r^2) / (2 t), rounded up, is what t is beyond the foot of q at most.
@@ -169,10 +208,7 @@ class Cone {
   /// cone; likewise right.
   template <class Int>
   bool narrow(std::int64_t x, std::int64_t y, Opening half) {
-    const Vector left{x * half.along - y * half.across,
-                      y * half.along + x * half.across};
-    const Vector right{x * half.along + y * half.across,
-                       y * half.along - x * half.across};
+    const auto [left, right] = sides_of(x, y, half);
     if (!bounded_) {
       bounded_ = true;
       single_ = half.across == 0;

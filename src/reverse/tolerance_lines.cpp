@@ -1,6 +1,9 @@
 #include "reverse/tolerance_lines.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <span>
 
 namespace unstep::reverse {
 namespace {
@@ -18,35 +21,137 @@ struct Ends {
   LineVertex before;
 };
 
-/// Looks from `from` along the chain, no farther than `limit`.
-/// REQUIRES: from.index < limit, and `from` on the chain.
-Ends find_ends(const ChainWalk& chain, const LineVertex& from,
-               std::size_t limit, Cone& cone) {
-  cone.restart();
-  Point offset;
-  Point farthest;
-  Point before;
-  std::size_t farthest_index = from.index;
-  std::size_t before_index = from.index;
-  std::size_t stop = std::min(limit, from.index + kPatience);
-  Step step = chain.step(from.index);
-  for (std::size_t i = from.index; i < stop;) {
-    offset = moved(offset, chain.delta(step));
-    ++i;
-    if (cone.may_end_at(offset.x, offset.y)) {
-      before = farthest;
-      before_index = farthest_index;
-      farthest = offset;
-      farthest_index = i;
-      stop = std::min(limit, from.index + 4 * (i - from.index) + kPatience);
+/// A look from a vertex along the chain.
+class Look {
+ public:
+  Look(const ChainWalk& chain, PathTolerance tolerance,
+       const NearDirections* near)
+      : chain_(chain), cone_(tolerance), near_(near) {
+    for (std::size_t code = 0; code < moves_.size(); ++code) {
+      const Point delta = chain.delta(static_cast<Step>(code));
+      moves_[code] = delta.y * NearDirections::kRow + delta.x;
+      // A longer step could pass the border of the near points.
+      if (std::abs(delta.x) > 1 || std::abs(delta.y) > 1) near_ = nullptr;
     }
-    if (i == limit) break;
-    const Step next = chain.step(i);
-    if (next != step && !cone.add(offset.x, offset.y)) break;
-    step = next;
   }
-  return {{farthest_index, moved(from.at, farthest)},
-          {before_index, moved(from.at, before)}};
+
+  /// Looks no farther than `limit`.
+  /// REQUIRES: from.index < limit, and `from` on the chain.
+  Ends ends(const LineVertex& from, std::size_t limit) {
+    from_ = from.index;
+    limit_ = limit;
+    index_ = from.index;
+    offset_ = farthest_ = before_ = {};
+    farthest_index_ = before_index_ = from.index;
+    stop_ = std::min(limit, from.index + kPatience);
+    cone_.restart();
+    if (near_ == nullptr || !is_done_near(*near_)) look_far();
+    return {{farthest_index_, moved(from.at, farthest_)},
+            {before_index_, moved(from.at, before_)}};
+  }
+
+ private:
+  void found(Point offset) {
+    before_ = farthest_;
+    before_index_ = farthest_index_;
+    farthest_ = offset;
+    farthest_index_ = index_;
+    stop_ = std::min(limit_, from_ + 4 * (index_ - from_) + kPatience);
+  }
+
+  void look_far() {
+    if (index_ >= stop_) return;
+    Step step = chain_.step(index_);
+    while (index_ < stop_) {
+      offset_ = moved(offset_, chain_.delta(step));
+      ++index_;
+      if (cone_.may_end_at(offset_.x, offset_.y)) found(offset_);
+      if (index_ == limit_) break;
+      const Step next = chain_.step(index_);
+      if (next != step && !cone_.add(offset_.x, offset_.y)) break;
+      step = next;
+    }
+  }
+
+  /// The same among the near points. False if it leaves them: the cone is then
+  /// that of all points before.
+  bool is_done_near(const NearDirections& near);
+
+  const ChainWalk& chain_;
+  Cone cone_;
+  const NearDirections* near_;
+  std::array<std::int32_t, 8> moves_;
+  std::size_t from_ = 0;
+  std::size_t limit_ = 0;
+  std::size_t stop_ = 0;
+  std::size_t index_ = 0;  ///< of the point at offset_
+  Point offset_;
+  std::size_t farthest_index_ = 0;
+  Point farthest_;
+  std::size_t before_index_ = 0;
+  Point before_;
+};
+
+bool Look::is_done_near(const NearDirections& near) {
+  const std::int32_t near2 = near.near2();
+  std::int32_t place = NearDirections::kApex;
+  std::int32_t farthest2 = 0;
+  std::uint16_t left = 0;
+  std::uint16_t right = 0;
+  // Signed: counter-clockwise, by less than half a turn.
+  const auto from_to = [](std::uint16_t a, std::uint16_t b) {
+    return static_cast<std::int16_t>(static_cast<std::uint16_t>(b - a));
+  };
+  const auto leave = [&] {
+    offset_ = NearDirections::offset_of(place);
+    cone_.resume(farthest2, {near.vector_of(left), near.vector_of(right)});
+  };
+  const std::span<const Step> steps = chain_.steps();
+  std::size_t next = index_ % steps.size();
+  for (;;) {
+    const Step step = steps[next];
+    if (++next == steps.size()) next = 0;
+    const NearDirections::Entry q = near.at(place + moves_[step]);
+    if (q.r2 == NearDirections::kOutside) {
+      leave();
+      return false;
+    }
+    place += moves_[step];
+    ++index_;
+    const bool is_end = farthest2 <= near2
+                            ? q.r2 != 0
+                            : q.r2 + near2 >= farthest2 &&
+                                  from_to(right, q.direction) >= 0 &&
+                                  from_to(q.direction, left) >= 0;
+    if (is_end) found(NearDirections::offset_of(place));
+    if (index_ >= stop_) return true;
+    if (q.r2 < farthest2) {
+      if (farthest2 <= near2 || steps[next] == step) continue;
+      leave();
+      const Cone::Sides before = cone_.sides();
+      if (!cone_.add(offset_.x, offset_.y)) return true;
+      if (cone_.sides() != before) return false;
+      continue;
+    }
+    const bool bounded = farthest2 > near2;
+    farthest2 = q.r2;
+    if (q.r2 <= near2) continue;
+    if (!bounded) {
+      left = q.left;
+      right = q.right;
+      continue;
+    }
+    // As Cone::narrow().
+    const bool tighter_left = from_to(q.left, left) >= 0;
+    const bool tighter_right = from_to(right, q.right) >= 0;
+    const std::int16_t of_left =
+        tighter_left ? from_to(right, q.left) : from_to(q.right, left);
+    const std::int16_t of_right =
+        tighter_right ? from_to(q.right, left) : from_to(right, q.left);
+    if ((of_left | of_right) < 0) return true;
+    left = tighter_left ? q.left : left;
+    right = tighter_right ? q.right : right;
+  }
 }
 
 /// Lays line after line. Each goes as far as it can, unless the line after it
@@ -57,8 +162,7 @@ Ends find_ends(const ChainWalk& chain, const LineVertex& from,
 class OnePass {
  public:
   /// `reach`: the most steps that a line may stand for.
-  OnePass(const ChainWalk& chain, Cone& cone, std::size_t reach)
-      : chain_(chain), cone_(cone), reach_(reach) {}
+  OnePass(Look& look, std::size_t reach) : look_(look), reach_(reach) {}
 
   void begin(const LineVertex& from, std::size_t last) {
     at_ = from;
@@ -89,12 +193,10 @@ class OnePass {
 
  private:
   [[nodiscard]] Ends look_from(const LineVertex& from) const {
-    const std::size_t limit = std::min(last_, from.index + reach_);
-    return find_ends(chain_, from, limit, cone_);
+    return look_.ends(from, std::min(last_, from.index + reach_));
   }
 
-  const ChainWalk& chain_;
-  Cone& cone_;
+  Look& look_;
   std::size_t reach_;
   std::size_t last_ = 0;
   LineVertex at_;
@@ -102,10 +204,10 @@ class OnePass {
 };
 
 /// Lines from the last vertex to exactly `last`.
-void append_lines(const ChainWalk& chain, std::size_t last, Cone& cone,
+void append_lines(const ChainWalk& chain, std::size_t last, Look& look,
                   LineVertices& vertices) {
   if (vertices.back().index >= last) return;
-  OnePass lines(chain, cone, chain.size());
+  OnePass lines(look, chain.size());
   lines.begin(vertices.back(), last);
   while (vertices.back().index < last) vertices.push_back(lines.next());
 }
@@ -114,11 +216,11 @@ void append_lines(const ChainWalk& chain, std::size_t last, Cone& cone,
 /// they made a lap before. From there on they close by themselves, without the
 /// short line that ends at a start chosen blindly. If that has not happened
 /// after two laps, the ring starts at the end of the first line.
-LineVertices fit_ring(const ChainWalk& chain, Cone& cone) {
+LineVertices fit_ring(const ChainWalk& chain, Look& look) {
   const std::size_t lap = chain.size();
   LineVertices vertices{{0, chain.origin()}};
   std::size_t before = 0;  // the first vertex not passed again
-  OnePass lines(chain, cone, lap);
+  OnePass lines(look, lap);
   lines.begin(vertices.front(), 4 * lap);
   while (vertices.back().index < 2 * lap) {
     vertices.push_back(lines.next());
@@ -131,7 +233,7 @@ LineVertices fit_ring(const ChainWalk& chain, Cone& cone) {
     }
   }
   LineVertices forced{vertices[1]};
-  append_lines(chain, forced.front().index + lap, cone, forced);
+  append_lines(chain, forced.front().index + lap, look, forced);
   return forced;
 }
 
@@ -160,14 +262,14 @@ LineVertex farthest_from_line(const ChainWalk& chain, const LineVertex& from,
 /// A ring of two lines encloses nothing. If its chain does, each of the two
 /// gets a vertex where the chain is farthest from it.
 LineVertices unfolded(const ChainWalk& chain, const LineVertices& ring,
-                      Cone& cone) {
+                      Look& look) {
   LineVertices result{ring.front()};
   for (std::size_t i = 1; i < ring.size(); ++i) {
     const LineVertex middle = farthest_from_line(chain, ring[i - 1], ring[i]);
     if (middle.index > ring[i - 1].index) {
-      append_lines(chain, middle.index, cone, result);
+      append_lines(chain, middle.index, look, result);
     }
-    append_lines(chain, ring[i].index, cone, result);
+    append_lines(chain, ring[i].index, look, result);
   }
   return result;
 }
@@ -193,19 +295,20 @@ void normalise(const ChainWalk& chain, LineVertices& ring) {
 
 }  // namespace
 
-LineVertices fit_lines(const ChainWalk& chain, PathTolerance tolerance) {
+LineVertices fit_lines(const ChainWalk& chain, PathTolerance tolerance,
+                       const NearDirections* near) {
   LineVertices vertices{{0, chain.origin()}};
   if (chain.size() == 0) return vertices;
-  Cone cone(tolerance);
+  Look look(chain, tolerance, near);
   if (chain.closed() && chain.size() <= kSpeckSteps) {
     return corners(chain);
   }
   if (!chain.closed()) {
-    append_lines(chain, chain.size(), cone, vertices);
+    append_lines(chain, chain.size(), look, vertices);
     return vertices;
   }
-  vertices = fit_ring(chain, cone);
-  if (vertices.size() == 3) vertices = unfolded(chain, vertices, cone);
+  vertices = fit_ring(chain, look);
+  if (vertices.size() == 3) vertices = unfolded(chain, vertices, look);
   normalise(chain, vertices);
   return vertices;
 }
@@ -213,9 +316,9 @@ LineVertices fit_lines(const ChainWalk& chain, PathTolerance tolerance) {
 void fit_lines_between(const ChainWalk& chain, PathTolerance tolerance,
                        std::size_t last, std::size_t longest,
                        LineVertices& vertices) {
-  Cone cone(tolerance);
+  Look look(chain, tolerance, nullptr);
   if (vertices.back().index >= last) return;
-  OnePass lines(chain, cone, longest);
+  OnePass lines(look, longest);
   lines.begin(vertices.back(), last);
   while (vertices.back().index < last) vertices.push_back(lines.next());
 }
