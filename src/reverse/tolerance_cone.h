@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "unstep/grid.h"
@@ -35,6 +37,9 @@ class Cone {
  public:
   static constexpr std::int64_t kReach = std::int64_t{1} << 24;
 
+  __extension__ using Wide = __int128;
+  static constexpr int kFraction2 = 2 * PathTolerance::kBits;
+
   struct Vector {
     std::int64_t x = 0;
     std::int64_t y = 0;
@@ -49,18 +54,19 @@ class Cone {
   explicit Cone(PathTolerance tolerance)
       : e_(tolerance.fixed),
         near2_(square_below(tolerance)),
-        fast2_(near2_ < kFastReach2 ? kFastReach2 : 0) {}
+        fast2_(near2_ < kFastReach2 ? kFastReach2 : 0),
+        back_(tolerance) {}
 
   /// The greatest r^2 of points whose discs hold the apex.
   static std::int64_t square_below(PathTolerance tolerance) {
     return static_cast<std::int64_t>(square(tolerance.fixed) >> kFraction2);
   }
 
-  /// The directions that meet the disc around q. REQUIRES: the disc has not the
-  /// apex, and |q| < 2^9.
-  static Sides sides_of(Point q, PathTolerance tolerance) {
+  /// The directions that pass q within `across`, times 2^12. REQUIRES: q is
+  /// farther than that from the apex, or as far, and |q| < 2^9.
+  static Sides sides_of(Point q, std::int64_t across) {
     const std::int64_t r2 = std::int64_t{q.x} * q.x + std::int64_t{q.y} * q.y;
-    return sides_of(q.x, q.y, opening<std::int64_t>(r2, tolerance.fixed));
+    return sides_of(q.x, q.y, opening<std::int64_t>(r2, across));
   }
 
   /// Forgets the points; the apex is elsewhere.
@@ -68,6 +74,54 @@ class Cone {
     farthest2_ = 0;
     bounded_ = false;
   }
+
+  /// A chain that comes back from a point at R to one at r < R lets a ray fall
+  /// behind by d = (R^2 - r^2) / (2 t(R)) at most. d is rounded up to quarters
+  /// of the tolerance: 1 to 4 of them, more means that no ray can wait so long.
+  class BackRule {
+   public:
+    explicit BackRule(PathTolerance tolerance)
+        : e_(tolerance.fixed),
+          e2_(square(e_)),
+          round_up2_(static_cast<std::int64_t>(
+              (e2_ + (Wide{1} << kFraction2) - 1) >> kFraction2)) {
+      for (std::size_t n = 1; n <= 4; ++n) {
+        const Wide rest = e2_ * static_cast<int>(16 - n * n) / 16;
+        across_[n] = root_down(rest);
+      }
+    }
+
+    /// More than 4 if no ray can wait so long. Of squares below 2^48 the left
+    /// side is below 2^122 and the right ones below 2^116; with int64 for
+    /// squares below 2^12 and a tolerance of at most 2^4.
+    template <class Int>
+    [[nodiscard]] int quarters(std::int64_t farthest2, std::int64_t r2) const {
+      const Int difference = farthest2 - r2;
+      const Int left = difference * difference << (kFraction2 + 2);
+      const Int right = static_cast<Int>(e2_) * (farthest2 - round_up2_);
+      return 1 + int{left > right} + int{left > 4 * right} +
+             int{left > 9 * right} + int{left > 16 * right};
+    }
+
+    /// How far from the point a ray may pass, for 1 to 4 quarters.
+    [[nodiscard]] std::int64_t across(int quarters) const {
+      return across_[static_cast<std::size_t>(quarters)];
+    }
+
+    /// True if the disc around the point at r holds all places of a ray up to
+    /// t(R), whatever its direction.
+    [[nodiscard]] bool holds_all(std::int64_t farthest2,
+                                 std::int64_t r2) const {
+      const std::int64_t r = root_up(Wide{r2} << kFraction2);
+      return root_up((Wide{farthest2} << kFraction2) - e2_) + r <= e_;
+    }
+
+   private:
+    std::int64_t e_;
+    Wide e2_;                 ///< the tolerance's square times 2^24
+    std::int64_t round_up2_;  ///< the same in whole units, rounded up
+    std::array<std::int64_t, 5> across_{};
+  };
 
   /// Goes on as if points had been added: the farthest at this r^2, and between
   /// them they left these directions if one is outside the tolerance.
@@ -115,8 +169,6 @@ class Cone {
   }
 
  private:
-  __extension__ using Wide = __int128;
-  static constexpr int kFraction2 = 2 * PathTolerance::kBits;
   static constexpr std::int64_t kFastReach2 = std::int64_t{1} << 18;
 
   /// Adjacent and opposite side of half the angle that a disc leaves.
@@ -182,24 +234,18 @@ class Cone {
 
   /// A point at r < the farthest R: the ray's point at t = t(R) is in its disc
   /// if the ray's distance from q is at most sqrt(e^2 - d^2), where d = (R^2 -
-  /// r^2) / (2 t), rounded up, is what t is beyond the foot of q at most.
+  /// r^2) / (2 t) is what t is beyond the foot of q at most.
   template <class Int>
   bool step_back(std::int64_t x, std::int64_t y, std::int64_t r2) {
-    const Int power_of_farthest = power<Int>(farthest2_, e_);
     if (r2 <= near2_) {
       // The disc holds the apex: perhaps all points up to t in any direction.
-      const std::int64_t r_up = root_up(static_cast<Int>(r2) << kFraction2);
-      if (root_up(power_of_farthest) + r_up <= e_) return true;
+      if (back_.holds_all(farthest2_, r2)) return true;
       if (r2 == 0) return false;
     }
-    const std::int64_t t = root_down(power_of_farthest);
-    if (t == 0) return false;
-    const Int beyond =
-        ((static_cast<Int>(farthest2_ - r2) << kFraction2) + 2 * t - 1) /
-        (2 * t);
-    if (beyond > e_) return false;
-    const Int rest = static_cast<Int>(e_) * e_ - beyond * beyond;
-    return narrow<Int>(x, y, opening<Int>(r2, root_down(rest)));
+    const int quarters = back_.quarters<Wide>(farthest2_, r2);
+    if (quarters > 4) return false;
+    const std::int64_t across = back_.across(quarters);
+    return narrow<Int>(x, y, opening<Int>(r2, across));
   }
 
   /// Intersects with the directions around q up to the opening's angle, at most
@@ -256,6 +302,7 @@ class Cone {
   std::int64_t e_;      ///< times 2^12
   std::int64_t near2_;  ///< r^2 of points that the apex alone serves
   std::int64_t fast2_;
+  BackRule back_;
   std::int64_t farthest2_ = 0;
   Vector left_;
   Vector right_;

@@ -93,8 +93,20 @@ class Look {
 };
 
 bool Look::is_done_near(const NearDirections& near) {
+  // Locals: all that changes stays in registers.
   const std::int32_t near2 = near.near2();
+  const std::span<const Step> steps = chain_.steps();
+  const Step* const first = steps.data();
+  const Step* const last = first + steps.size();
+  const Step* next = first + index_ % steps.size();
   std::int32_t place = NearDirections::kApex;
+  std::int32_t farthest = place;
+  std::int32_t before = place;
+  std::size_t looked = 0;  // steps from the apex
+  std::size_t farthest_after = 0;
+  std::size_t before_after = 0;
+  const std::size_t limit = limit_ - from_;
+  std::size_t stop = stop_ - from_;
   std::int32_t farthest2 = 0;
   std::uint16_t left = 0;
   std::uint16_t right = 0;
@@ -102,55 +114,69 @@ bool Look::is_done_near(const NearDirections& near) {
   const auto from_to = [](std::uint16_t a, std::uint16_t b) {
     return static_cast<std::int16_t>(static_cast<std::uint16_t>(b - a));
   };
-  const auto leave = [&] {
+  const auto end = [&](bool done) {
+    index_ = from_ + looked;
     offset_ = NearDirections::offset_of(place);
-    cone_.resume(farthest2, {near.vector_of(left), near.vector_of(right)});
+    stop_ = from_ + stop;
+    farthest_ = NearDirections::offset_of(farthest);
+    farthest_index_ = from_ + farthest_after;
+    before_ = NearDirections::offset_of(before);
+    before_index_ = from_ + before_after;
+    return done;
   };
-  const std::span<const Step> steps = chain_.steps();
-  std::size_t next = index_ % steps.size();
   for (;;) {
-    const Step step = steps[next];
-    if (++next == steps.size()) next = 0;
-    const NearDirections::Entry q = near.at(place + moves_[step]);
+    const Step step = *next;
+    const std::int32_t there = place + moves_[step];
+    const NearDirections::Entry q = near.at(there);
     if (q.r2 == NearDirections::kOutside) {
-      leave();
-      return false;
+      cone_.resume(farthest2, {near.vector_of(left), near.vector_of(right)});
+      return end(false);
     }
-    place += moves_[step];
-    ++index_;
-    const bool is_end = farthest2 <= near2
-                            ? q.r2 != 0
-                            : q.r2 + near2 >= farthest2 &&
-                                  from_to(right, q.direction) >= 0 &&
-                                  from_to(q.direction, left) >= 0;
-    if (is_end) found(NearDirections::offset_of(place));
-    if (index_ >= stop_) return true;
+    if (++next == last) next = first;
+    place = there;
+    ++looked;
+    const bool is_end =
+        farthest2 <= near2
+            ? q.r2 != 0
+            : (static_cast<int>(q.r2 + near2 >= farthest2) &
+               static_cast<int>(from_to(right, q.direction) >= 0) &
+               static_cast<int>(from_to(q.direction, left) >= 0)) != 0;
+    before = is_end ? farthest : before;
+    before_after = is_end ? farthest_after : before_after;
+    farthest = is_end ? place : farthest;
+    farthest_after = is_end ? looked : farthest_after;
+    stop = is_end ? std::min(limit, 4 * looked + kPatience) : stop;
+    if (looked >= stop) return end(true);
+    NearDirections::Range sides{q.left, q.right};
     if (q.r2 < farthest2) {
-      if (farthest2 <= near2 || steps[next] == step) continue;
-      leave();
-      const Cone::Sides before = cone_.sides();
-      if (!cone_.add(offset_.x, offset_.y)) return true;
-      if (cone_.sides() != before) return false;
-      continue;
-    }
-    const bool bounded = farthest2 > near2;
-    farthest2 = q.r2;
-    if (q.r2 <= near2) continue;
-    if (!bounded) {
-      left = q.left;
-      right = q.right;
-      continue;
+      if (farthest2 <= near2 || *next == step) continue;
+      if (q.r2 <= near2) {
+        if (near.holds_all(farthest2, q.r2)) continue;
+        if (q.r2 == 0) return end(true);
+      }
+      const int quarters = near.quarters(farthest2, q.r2);
+      if (quarters > 4) return end(true);
+      sides = near.waiting(place, quarters);
+    } else {
+      const bool bounded = farthest2 > near2;
+      farthest2 = q.r2;
+      if (q.r2 <= near2) continue;
+      if (!bounded) {
+        left = sides.left;
+        right = sides.right;
+        continue;
+      }
     }
     // As Cone::narrow().
-    const bool tighter_left = from_to(q.left, left) >= 0;
-    const bool tighter_right = from_to(right, q.right) >= 0;
+    const bool tighter_left = from_to(sides.left, left) >= 0;
+    const bool tighter_right = from_to(right, sides.right) >= 0;
     const std::int16_t of_left =
-        tighter_left ? from_to(right, q.left) : from_to(q.right, left);
+        tighter_left ? from_to(right, sides.left) : from_to(sides.right, left);
     const std::int16_t of_right =
-        tighter_right ? from_to(q.right, left) : from_to(right, q.left);
-    if ((of_left | of_right) < 0) return true;
-    left = tighter_left ? q.left : left;
-    right = tighter_right ? q.right : right;
+        tighter_right ? from_to(sides.right, left) : from_to(right, sides.left);
+    if ((of_left | of_right) < 0) return end(true);
+    left = tighter_left ? sides.left : left;
+    right = tighter_right ? sides.right : right;
   }
 }
 
