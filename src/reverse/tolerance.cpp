@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@ namespace {
 using reverse::ArcPath;
 using reverse::ChainWalk;
 using reverse::LineVertices;
+using reverse::NearDirections;
 using reverse::PathTolerance;
 
 /// Places for a vertex on each side of the chain, at standard and max effort.
@@ -47,12 +49,29 @@ Status check_tolerance(const Rational& e) {
                    " is not within 1/256 and 2^20 grid units"};
 }
 
-LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options) {
+/// Chains of fewer steps are done before the table of near points is made.
+constexpr std::size_t kManySteps = std::size_t{1} << 17;
+
+std::unique_ptr<const NearDirections> near_directions(
+    std::span<const ChainWalk> chains, const ToleranceOptions& options) {
+  const PathTolerance tolerance = in_path_units(options.tolerance);
+  if (path_scale(options.tolerance) > 1 ||
+      tolerance.fixed > NearDirections::kMaxTolerance) {
+    return nullptr;
+  }
+  std::size_t steps = 0;
+  for (const ChainWalk& chain : chains) steps += chain.size();
+  if (steps < kManySteps) return nullptr;
+  return std::make_unique<const NearDirections>(tolerance);
+}
+
+LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options,
+                 const NearDirections* near) {
   const PathTolerance tolerance = in_path_units(options.tolerance);
   const bool sub_grid = path_scale(options.tolerance) > 1;
   if (options.effort != Effort::max) {
     return sub_grid ? reverse::fit_free_lines(chain, tolerance, kBeam)
-                    : reverse::fit_lines(chain, tolerance);
+                    : reverse::fit_lines(chain, tolerance, near);
   }
   LineVertices fewest = reverse::fit_fewest_lines(chain, tolerance);
   LineVertices free = reverse::fit_free_lines(chain, tolerance, kWideBeam);
@@ -106,9 +125,10 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
   if (is_cheap(options)) {
     lines = fit_cheap(chains, options, price.emplace());
   } else {
+    const auto near = near_directions(chains, options);
     lines.reserve(chains.size());
     for (const ChainWalk& chain : chains) {
-      lines.push_back(fit(chain, options));
+      lines.push_back(fit(chain, options, near.get()));
       lines.back().shrink_to_fit();
     }
   }

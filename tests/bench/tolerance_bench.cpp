@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -93,10 +94,14 @@ bool measure(const fs::path& folder, const ToleranceOptions& options) {
           reverse::fit_fewest_lines(walk, fixed).size() - 1);
     }
   }
+  const auto near =
+      fixed.fixed > reverse::NearDirections::kMaxTolerance
+          ? nullptr
+          : std::make_unique<const reverse::NearDirections>(fixed);
   const double one_pass = best_of_five([&] {
     for (const Drawing& drawing : drawings) {
       for (const Chain& chain : drawing.chains) {
-        (void)reverse::fit_lines({chain, YAxis::down, 1}, fixed);
+        (void)reverse::fit_lines({chain, YAxis::down, 1}, fixed, near.get());
       }
     }
   });

@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "reverse/tolerance_lines.h"
+#include "unit/reverse_tolerance_chains.h"
+
+namespace unstep::reverse {
+namespace {
+
+using namespace testing;
+
+/// Tolerances in 2^-12: whole ones, others, the largest.
+const std::vector<std::int64_t> kTolerances{4096, 5000,  6144,
+                                            8192, 20480, 32768};
+
+void expect_same(const Chain& chain, const NearDirections& near,
+                 PathTolerance tolerance) {
+  for (const YAxis axis : {YAxis::up, YAxis::down}) {
+    const ChainWalk walk(chain, axis, 1);
+    EXPECT_EQ(fit_lines(walk, tolerance), fit_lines(walk, tolerance, &near))
+        << tolerance.fixed << ", " << chain.steps.size() << " steps";
+  }
+}
+
+TEST(NearDirections, GiveTheLinesOfTheConeOfVectors) {
+  std::mt19937 random(20);
+  for (const std::int64_t fixed : kTolerances) {
+    const PathTolerance tolerance{fixed};
+    const auto near = std::make_unique<const NearDirections>(tolerance);
+    for (int run = 0; run < 120; ++run) {
+      const Chain chain =
+          random_chain(random, 1 + random() % 400, 1 + random() % 12);
+      expect_same(chain, *near, tolerance);
+      expect_same(retraced(chain), *near, tolerance);
+    }
+    for (const std::uint32_t sticking : {40U, 120U, 200U}) {
+      for (const Chain& contour : contours_of(blots(random, 48, sticking))) {
+        expect_same(contour, *near, tolerance);
+      }
+    }
+    for (const Chain& contour : contours_of(disc(60, 50))) {
+      expect_same(contour, *near, tolerance);
+    }
+  }
+}
+
+TEST(NearDirections, KeepTheOrderOfVectors) {
+  const NearDirections near({4096});
+  for (const Point a : {Point{3, 1}, {-7, 2}, {-30, -30}, {5, -29}, {0, 4}}) {
+    for (std::int32_t y = -30; y <= 30; ++y) {
+      for (std::int32_t x = -30; x <= 30; ++x) {
+        if (x == 0 && y == 0) continue;
+        const auto turn = static_cast<std::int16_t>(
+            near.at(NearDirections::place_of({x, y})).direction -
+            near.at(NearDirections::place_of(a)).direction);
+        const int cross = a.x * y - a.y * x;
+        const bool ahead = a.x * x + a.y * y > 0;
+        EXPECT_EQ(turn > 0, cross > 0) << x << ' ' << y;
+        EXPECT_EQ(turn == 0, cross == 0 && ahead) << x << ' ' << y;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace unstep::reverse
