@@ -1,7 +1,6 @@
 #include "reverse/crossing.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 #include <optional>
 
@@ -59,23 +58,22 @@ struct Grid {
   std::int64_t low_x = 0;
   std::int64_t low_y = 0;
   std::int64_t high_x = 0;
-  int cell_bits = 0;  ///< cells have 2^cell_bits units a side
+  std::int64_t cell = 1;
   std::int64_t columns = 1;
   std::int64_t rows = 1;
 
   [[nodiscard]] std::int64_t column(std::int64_t x) const {
-    return (x - low_x) >> cell_bits;
+    return (x - low_x) / cell;
   }
   [[nodiscard]] std::int64_t row(std::int64_t y) const {
-    return (y - low_y) >> cell_bits;
+    return (y - low_y) / cell;
   }
   [[nodiscard]] std::int64_t end_of_row(std::int64_t row) const {
-    return low_y + ((row + 1) << cell_bits);
+    return low_y + (row + 1) * cell;
   }
 
   static Grid around(std::span<const LineVertices> paths, std::int64_t cell) {
-    const int bits = std::bit_width(static_cast<std::uint64_t>(cell - 1));
-    Grid grid{kMaxCoord, kMaxCoord, -kMaxCoord, bits, 1, 1};
+    Grid grid{kMaxCoord, kMaxCoord, -kMaxCoord, cell, 1, 1};
     std::int64_t high_y = -kMaxCoord;
     std::int64_t vertices = 0;
     for (const LineVertices& path : paths) {
@@ -88,7 +86,7 @@ struct Grid {
       }
     }
     if (vertices == 0) return {};
-    for (;; ++grid.cell_bits) {
+    for (;; grid.cell *= 2) {
       grid.columns = grid.column(grid.high_x) + 1;
       grid.rows = grid.row(high_y) + 1;
       if (grid.columns <= 4 * vertices / grid.rows + 1) return grid;
