@@ -425,7 +425,8 @@ void add_pack(CLI::App& verb, PackOptions& options) {
   add_lines(verb, options.lines);
 }
 
-void add_lines(CLI::App& verb, LineOptions& options) {
+CLI::Option* add_tolerance(CLI::App& verb, LineOptions& options,
+                           const std::string& words) {
   CLI::Option* tolerance =
       verb.add_option_function<std::string>(
               "--tolerance",
@@ -433,9 +434,20 @@ void add_lines(CLI::App& verb, LineOptions& options) {
                 options.tolerance = parse_positive("--tolerance", text);
                 options.method = LineOptions::Method::tolerance;
               },
-              "Lossy: contours and chains become lines and arcs that are "
-              "nowhere farther than this from them, 1 (pixels), 0.05mm")
+              words)
           ->type_name("LENGTH");
+  verb.add_flag(
+          "--no-arcs", [&options](std::int64_t) { options.arcs = false; },
+          "With --tolerance: lines only")
+      ->needs(tolerance);
+  return tolerance;
+}
+
+void add_lines(CLI::App& verb, LineOptions& options) {
+  CLI::Option* tolerance = add_tolerance(
+      verb, options,
+      "Lossy: contours and chains become lines and arcs that are nowhere "
+      "farther than this from them, 1 (pixels), 0.05mm");
   verb.add_option_function<std::string>(
           "--reverse",
           [&options](const std::string& text) { set_method(options, text); },
@@ -445,14 +457,11 @@ void add_lines(CLI::App& verb, LineOptions& options) {
       ->excludes(tolerance);
   add_trace(verb, options);
   add_order(verb, options);
-  verb.add_flag(
-          "--no-arcs", [&options](std::int64_t) { options.arcs = false; },
-          "With --tolerance: lines only")
-      ->needs(tolerance);
 }
 
-void add_effort(CLI::App& verb, Effort& effort) {
-  verb.add_option_function<std::string>(
+CLI::Option* add_effort(CLI::App& verb, Effort& effort) {
+  return verb
+      .add_option_function<std::string>(
           "--effort",
           [&effort](const std::string& text) {
             if (text == "fast") {

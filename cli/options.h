@@ -90,8 +90,12 @@ void add_pack(CLI::App& verb, PackOptions& options);
 /// --tolerance, --reverse, --no-arcs, --trace and --order.
 void add_lines(CLI::App& verb, LineOptions& options);
 
+/// --tolerance and --no-arcs; `words` say what is within the tolerance of what.
+CLI::Option* add_tolerance(CLI::App& verb, LineOptions& options,
+                           const std::string& words);
+
 /// --effort.
-void add_effort(CLI::App& verb, Effort& effort);
+CLI::Option* add_effort(CLI::App& verb, Effort& effort);
 
 /// --to: the format to write.
 void add_to(CLI::App& verb, std::optional<OutputFormat>& format);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -12,10 +13,13 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cli/exit_code.h"
 #include "cli/message.h"
 #include "cli/options.h"
+#include "cli/reshape.h"
+#include "cli/reverse_lines.h"
 #include "cli/source.h"
 #include "cli/verbs.h"
 
@@ -28,7 +32,10 @@ struct Request {
   std::string input = "freeman";
   int connectivity = 0;  // 0: not given
   bool table = false;
-  PulseReadOptions decoding;
+  LineOptions lines;
+  Effort effort = Effort::standard;
+  bool effort_given = false;
+  InputOptions read;
 };
 
 constexpr const char* kExamples =
@@ -38,11 +45,15 @@ constexpr const char* kExamples =
     "  unstep reverse recording.vcd --channels A,B     encoder pulses\n"
     "  unstep reverse --method exact < steps.txt       'S0 S1 N A W R' per "
     "segment\n"
+    "  unstep reverse outline.fc --method tolerance --tolerance 1\n"
+    "                                                  few lines and arcs\n"
     "\n"
     "A segment is printed as soon as it is known to end. Codes are 0 (east),\n"
     "1 (north-east), 2 (north) to 7; device and gate-level refuse diagonal\n"
     "steps. Segments of exact give back every step: step i of N is S1 if\n"
-    "(A (i + 1) + R) / W, rounded down, exceeds (A i + R) / W, else S0.\n";
+    "(A (i + 1) + R) / W, rounded down, exceeds (A i + R) / W, else S0.\n"
+    "tolerance reads all steps before it prints; a line is 'DX DY', an arc\n"
+    "'DX DY CX CY cw' or 'ccw', its centre relative to its start.\n";
 
 bool takes_file(const Request& request) {
   return !request.file.empty() && request.file != "-";
@@ -115,9 +126,7 @@ class StepReader {
 
 /// The one chain of a file: Freeman text, or a recording of encoders.
 Result<Chain> read_chain(const Request& request) {
-  InputOptions options;
-  options.decoding = request.decoding;
-  Result<Source> source = Source::open(request.file, options);
+  Result<Source> source = Source::open(request.file, request.read);
   if (!source) return source.error();
   Result<SourcePage> page = source->read(0);
   if (!page) return page.error();
@@ -134,30 +143,35 @@ Result<Chain> read_chain(const Request& request) {
 }
 
 /// A file is checked as a whole before anything is printed.
-template <class Use>
-ExitCode read_file_steps(StepReader reader, const Request& request, Use use) {
-  const Result<Chain> chain = read_chain(request);
-  if (!chain) return report_error(request.file, chain.error());
-  for (const Step code : chain->steps) {
+Status check_steps(StepReader reader, const Chain& chain) {
+  for (const Step code : chain.steps) {
     Step step = 0;
     if (reader.take(code, step) == StepReader::Got::error) {
-      return report_error(request.file, {ErrorCode::corrupt, reader.problem()});
+      return Error{ErrorCode::corrupt, reader.problem()};
     }
   }
-  if (chain->steps.empty()) {
-    return report_error(request.file, {ErrorCode::corrupt, "holds no steps"});
-  }
+  if (chain.steps.empty()) return Error{ErrorCode::corrupt, "holds no steps"};
+  return {};
+}
+
+template <class Use>
+ExitCode read_file_steps(const StepReader& reader, const Request& request,
+                         Use use) {
+  const Result<Chain> chain = read_chain(request);
+  if (!chain) return report_error(request.file, chain.error());
+  const Status checked = check_steps(reader, *chain);
+  if (!checked) return report_error(request.file, checked.error());
   for (const Step step : chain->steps) use(step);
   return ExitCode::ok;
 }
 
 /// Feeds every step of standard input to `use` as it comes; `idle` runs before
-/// every read that may wait.
+/// every read that may wait and says whether to go on.
 template <class Use, class Idle>
 ExitCode read_steps(StepReader reader, Use use, Idle idle) {
   std::array<unsigned char, 1 << 16> buffer;
   for (;;) {
-    if (!idle()) return cannot_write();
+    if (const ExitCode code = idle(); code != ExitCode::ok) return code;
     const ssize_t n = read(STDIN_FILENO, buffer.data(), buffer.size());
     if (n < 0 && errno == EINTR) continue;
     if (n < 0)
@@ -205,11 +219,13 @@ ExitCode run(const StepReader& reader, const Request& request, Use use,
   if (file) {
     const off_t start = lseek(STDIN_FILENO, 0, SEEK_CUR);
     const ExitCode checked = read_steps(
-        reader, [](Step) {}, [] { return true; });
+        reader, [](Step) {}, [] { return ExitCode::ok; });
     if (checked != ExitCode::ok) return checked;
     lseek(STDIN_FILENO, start, SEEK_SET);
   }
-  const auto flush = [file] { return file || std::fflush(stdout) == 0; };
+  const auto flush = [file] {
+    return file || std::fflush(stdout) == 0 ? ExitCode::ok : cannot_write();
+  };
   const ExitCode code = read_steps(reader, use, flush);
   if (code != ExitCode::ok) {
     std::fflush(stdout);
@@ -270,6 +286,56 @@ ExitCode run_exact(const Request& request) {
   });
 }
 
+/// All of standard input, in memory.
+ExitCode collect_chain(const Request& request, Chain& chain) {
+  const DecodeLimits& limits = request.read.limits;
+  const std::uint64_t most = std::min(limits.max_steps, limits.max_memory);
+  std::uint64_t steps = 0;
+  return read_steps(
+      StepReader(request.input == "freeman", nullptr),
+      [&](Step step) {
+        if (++steps <= most) chain.steps.push_back(step);
+      },
+      [&] {
+        if (steps <= most) return ExitCode::ok;
+        return refuse(ErrorCode::limit_exceeded,
+                      fmt::format("more than {} steps, above {}", most,
+                                  limits.max_steps <= limits.max_memory
+                                      ? "--max-steps"
+                                      : "--max-memory"));
+      });
+}
+
+ExitCode run_tolerance(const Request& request) {
+  const bool from_file = takes_file(request);
+  const std::string name = from_file ? request.file : "standard input";
+  const Result<Rational> tolerance = to_tolerance(request.lines.tolerance, {});
+  if (!tolerance) {
+    return report_usage("reverse", "--tolerance: " + tolerance.error().message);
+  }
+  Chain chain;
+  chain.connectivity = Connectivity::eight;
+  if (from_file) {
+    Result<Chain> read = read_chain(request);
+    if (!read) return report_error(name, read.error());
+    chain = *std::move(read);
+    const Status checked = check_steps(StepReader(false, nullptr), chain);
+    if (!checked) return report_error(name, checked.error());
+  } else {
+    const ExitCode code = collect_chain(request, chain);
+    if (code != ExitCode::ok) return code;
+  }
+  ToleranceOptions options{*tolerance, request.effort, request.lines.arcs};
+  const Status printed = print_lines(std::move(chain), options, request.table);
+  if (printed) return ExitCode::ok;
+  if (printed.error().code == ErrorCode::out_of_range) {
+    return report_usage("reverse", "--" + printed.error().message);
+  }
+  return report_error(
+      printed.error().code == ErrorCode::io_error ? "standard output" : name,
+      printed.error());
+}
+
 ExitCode reverse_verb(const Request& request) {
   const auto usage = [](const std::string& reason) {
     return report_usage("reverse", reason);
@@ -277,6 +343,16 @@ ExitCode reverse_verb(const Request& request) {
   if (request.input != "freeman" && request.input != "bytes")
     return usage(
         fmt::format("unknown input '{}': freeman or bytes", request.input));
+  const bool tolerance = request.method == "tolerance";
+  const bool within = request.lines.method == LineOptions::Method::tolerance;
+  if (tolerance != within) {
+    return usage(tolerance ? "--method tolerance needs --tolerance E"
+                           : "--tolerance is for --method tolerance");
+  }
+  if (tolerance && request.connectivity == 0) return run_tolerance(request);
+  if (!tolerance && request.effort_given) {
+    return usage("--effort is for --method tolerance");
+  }
   if (request.method == "exact") {
     if (request.connectivity != 0 && request.connectivity != 4 &&
         request.connectivity != 8)
@@ -284,9 +360,11 @@ ExitCode reverse_verb(const Request& request) {
           fmt::format("--connectivity {}: 4 or 8", request.connectivity));
     return run_exact(request);
   }
-  if (request.method != "device" && request.method != "gate-level")
-    return usage(fmt::format("unknown method '{}': device, gate-level or exact",
-                             request.method));
+  if (!tolerance && request.method != "device" &&
+      request.method != "gate-level")
+    return usage(fmt::format(
+        "unknown method '{}': device, gate-level, exact or tolerance",
+        request.method));
   if (request.connectivity != 0)
     return usage("--connectivity is for --method exact");
   return request.method == "device" ? run_device<DeviceRegisters>(request)
@@ -304,8 +382,9 @@ void add_reverse(CLI::App& app, Context& context) {
                    "encoders (.csv, .vcd, .sr) [steps from standard input]")
       ->type_name("");
   verb->add_option("--method", request->method,
-                   "device (SU 1089551), gate-level, the same as a net, or "
-                   "exact: the longest digital straight segments [device]")
+                   "device (SU 1089551), gate-level, the same as a net, "
+                   "exact: the longest digital straight segments, or "
+                   "tolerance: few lines and arcs [device]")
       ->type_name("NAME");
   verb->add_option("--input", request->input,
                    "freeman: digits, white space ignored; bytes: 0 to 7 "
@@ -315,10 +394,18 @@ void add_reverse(CLI::App& app, Context& context) {
                    "exact: which codes are neighbours and may share a "
                    "segment: 8, or 4 for chains of 0, 2, 4 and 6 [8]")
       ->type_name("N");
+  add_tolerance(*verb, request->lines,
+                "tolerance: lines and arcs are nowhere farther than this from "
+                "the steps, in grid units, 1/256 and more");
+  add_effort(*verb, request->effort)->each([request](const std::string&) {
+    request->effort_given = true;
+  });
   verb->add_flag("--table", request->table,
                  "A row per step: step X Y F, and 'segment DX DY' lines; "
-                 "exact: step S0 S1 N A W R");
-  add_decoding(*verb, request->decoding);
+                 "exact: step S0 S1 N A W R; tolerance: X Y, where a line or "
+                 "arc starts, before it");
+  add_decoding(*verb, request->read.decoding);
+  add_limits(*verb, request->read.limits);
   finish_verb(*verb, kExamples);
   verb->callback([request, &context] {
     context.run = [request] { return reverse_verb(*request); };

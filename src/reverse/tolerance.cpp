@@ -50,7 +50,7 @@ Status check_tolerance(const Rational& e) {
 }
 
 /// Chains of fewer steps are done before the table of near points is made.
-constexpr std::size_t kManySteps = std::size_t{1} << 17;
+constexpr std::size_t kManySteps = std::size_t{1} << 16;
 
 std::unique_ptr<const NearDirections> near_directions(
     std::span<const ChainWalk> chains, const ToleranceOptions& options) {

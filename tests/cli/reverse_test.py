@@ -156,6 +156,63 @@ class Reverse(unittest.TestCase):
         self.assertEqual(stream.line(), "7 7 3 0 1 0\n")
         self.assertEqual(stream.close(), ("3 3 1 0 1 0\n", 0))
 
+    def test_tolerance_gives_lines_within_it(self):
+        within = ("--method", "tolerance", "--tolerance")
+        self.assertEqual(self.output(b"001000100022222222", *within, "1"),
+                         "10 3\n0 7\n")
+        self.assertEqual(self.output(b"00000002", *within, "0.5"),
+                         "7 0\n0 1\n")
+        # Codes are as seen: 2 is up. Steps may be bytes.
+        self.assertEqual(self.output(bytes([2, 2, 2, 4]), *within, "1",
+                                     "--input", "bytes", "--table"),
+                         "0 0 -1 3\n")
+
+    def test_tolerance_keeps_the_ends_of_the_chain(self):
+        steps = subprocess.run([PROGRAM, "interpolate", "--arc", "0", "-90",
+                                "90", "-90"],
+                               capture_output=True, check=True).stdout
+        for words in ([], ["--no-arcs"], ["--effort", "max"]):
+            rows = [row.split() for row in self.output(
+                steps, "--method", "tolerance", "--tolerance", "2",
+                *words).splitlines()]
+            self.assertEqual(sum(float(row[0]) for row in rows), 90)
+            self.assertEqual(sum(float(row[1]) for row in rows), -90)
+            arcs = [row for row in rows if len(row) == 5]
+            self.assertEqual(len(arcs) == 0, words == ["--no-arcs"])
+            for row in arcs:
+                self.assertEqual(row[4], "cw")
+
+    def test_tolerance_closes_closed_chains(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "box.fc")
+            with open(path, "w", encoding="ascii") as file:
+                file.write("closed4 5 5: " + "0" * 9 + "2" * 9 + "4" * 9
+                           + "6" * 9 + "\n")
+            rows = [tuple(map(int, row.split())) for row in self.output(
+                b"", path, "--method", "tolerance", "--tolerance", "1",
+                "--no-arcs", "--table").splitlines()]
+        self.assertEqual(len(rows), 4)
+        ends = [(x + dx, y + dy) for x, y, dx, dy in rows]
+        self.assertEqual(ends[-1:] + ends[:-1], [row[:2] for row in rows])
+
+    def test_tolerance_is_refused_where_it_says_nothing(self):
+        within = ("--method", "tolerance")
+        self.refused(2, "--method tolerance needs --tolerance E", b"0",
+                     *within)
+        self.refused(2, "--tolerance is for --method tolerance", b"0",
+                     "--tolerance", "1")
+        self.refused(2, "--effort is for --method tolerance", b"0",
+                     "--effort", "max")
+        self.refused(2, "a length in mm or in needs a resolution", b"0",
+                     *within, "--tolerance", "1mm")
+        self.refused(2, "is not within 1/256 and 2^20 grid units", b"0",
+                     *within, "--tolerance", "0.001")
+        self.refused(3, "holds no steps", b"", *within, "--tolerance", "1")
+        self.refused(3, "'x' is no Freeman code", b"01x", *within,
+                     "--tolerance", "1")
+        self.refused(3, "more than 2 steps, above --max-steps", b"000",
+                     *within, "--tolerance", "1", "--max-steps", "2")
+
     def test_bad_input_is_named_with_its_place(self):
         self.refused(3, "unstep: standard input: holds no steps\n", b"")
         self.refused(3, "holds no steps", b" \n\n")
