@@ -29,8 +29,9 @@ TEST(NearDirections, GiveTheLinesOfTheConeOfVectors) {
     const PathTolerance tolerance{fixed};
     const auto near = std::make_unique<const NearDirections>(tolerance);
     for (int run = 0; run < 120; ++run) {
-      const Chain chain =
-          random_chain(random, 1 + random() % 400, 1 + random() % 12);
+      const std::size_t steps = 1 + random() % 400;
+      const auto turning = static_cast<std::uint32_t>(1 + random() % 12);
+      const Chain chain = random_chain(random, steps, turning);
       expect_same(chain, *near, tolerance);
       expect_same(retraced(chain), *near, tolerance);
     }
