@@ -101,6 +101,7 @@ Result<Page> by_tolerance(Page page, const Rational& tolerance, bool arcs,
     if (!cheapest || cheapest->kind != PageKind::paths) return cheapest;
     page = *std::move(cheapest);
   } else {
+    page.ink = Bitmap();
     Result<Drawing> lines = reverse_tolerance(*chains, options);
     if (!lines) return lines.error();
     page = page_of_lines(page.info, tolerance, *std::move(lines));

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -21,7 +22,12 @@ struct Vector {
   double y = 0;
 };
 
-double distance(Vector a, Vector b) { return std::hypot(a.x - b.x, a.y - b.y); }
+/// Coordinates are below 2^31: no square overflows.
+double distance(Vector a, Vector b) {
+  const double dx = a.x - b.x;
+  const double dy = a.y - b.y;
+  return std::sqrt(dx * dx + dy * dy);
+}
 
 /// A part of a path as a curve.
 struct Curve {
@@ -140,54 +146,106 @@ struct Entry {
   std::uint32_t curve = 0;
 };
 
+/// Rows of cells: both ends belong to it.
+struct Band {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+  [[nodiscard]] bool meets(const Band& other) const {
+    return first <= other.last && other.first <= last;
+  }
+};
+
+/// A large drawing is searched band by band, so that only the curves of one
+/// are in memory.
 class ArcCrossings {
  public:
   ArcCrossings(std::span<ArcPath> paths, const std::vector<bool>& closed,
                std::int32_t scale)
-      : paths_(paths), closed_(closed), cell_(16.0 * scale) {}
+      : paths_(paths), closed_(closed), cell_(16.0 * scale) {
+    rows_.reserve(paths.size());
+    for (const ArcPath& path : paths) {
+      rows_.push_back(rows_of(path, 0, path.vertices.size() - 1));
+      all_.first = std::min(all_.first, rows_.back().first);
+      all_.last = std::max(all_.last, rows_.back().last);
+    }
+  }
 
   std::uint64_t run() {
     std::vector<bool> changed(paths_.size());
-    while (collect()) {
-      std::vector<bool> wrong(curves_.size());
-      search(wrong);
-      if (std::find(wrong.begin(), wrong.end(), true) == wrong.end()) break;
-      remove(wrong, changed);
+    while (number_parts()) {
+      const auto parts = static_cast<std::int64_t>(offsets_.back());
+      const std::int64_t bands = parts / kBandParts + 1;
+      const std::int64_t height = (all_.last - all_.first) / bands + 1;
+      wrong_.assign(offsets_.back(), false);
+      for (std::int64_t row = all_.first; row <= all_.last; row += height) {
+        const Band band{row, row + height - 1};
+        collect(band);
+        search(band);
+      }
+      if (std::find(wrong_.begin(), wrong_.end(), true) == wrong_.end()) break;
+      remove(changed);
     }
     return static_cast<std::uint64_t>(
         std::count(changed.begin(), changed.end(), true));
   }
 
  private:
+  /// Parts of a band on the average.
+  static constexpr std::int64_t kBandParts = 1 << 16;
+
+  [[nodiscard]] std::int64_t cell_of(double v) const {
+    return static_cast<std::int64_t>(std::floor(v / cell_));
+  }
+
+  /// An arc is near the lines that it stands for: within a cell.
+  [[nodiscard]] Band rows_of(const ArcPath& path, std::size_t a,
+                             std::size_t b) const {
+    std::int32_t low = path.vertices[a].at.y;
+    std::int32_t high = low;
+    for (std::size_t i = a + 1; i <= b; ++i) {
+      low = std::min(low, path.vertices[i].at.y);
+      high = std::max(high, path.vertices[i].at.y);
+    }
+    return {cell_of(low) - 1, cell_of(high) + 1};
+  }
+
   /// False if there are no arcs.
-  bool collect() {
-    curves_.clear();
-    counts_.assign(paths_.size(), 1);
+  bool number_parts() {
+    offsets_.assign(1, 0);
     bool arcs = false;
-    for (std::uint32_t i = 0; i < paths_.size(); ++i) {
-      const ArcPath& path = paths_[i];
-      if (path.ring) {
-        collect_ring(i, *path.ring);
-        arcs = true;
-        continue;
-      }
-      counts_[i] = static_cast<std::uint32_t>(path.parts.size());
-      std::size_t start = 0;
-      for (std::uint32_t k = 0; k < path.parts.size(); ++k) {
-        const PathPart& part = path.parts[k];
-        Curve curve{i, k, false, vector_of(path.vertices[start].at),
-                    vector_of(path.vertices[part.end].at)};
-        if (part.is_arc) set_arc(curve, part.arc);
-        arcs = arcs || part.is_arc;
-        curves_.push_back(curve);
-        start = part.end;
-      }
+    for (const ArcPath& path : paths_) {
+      arcs = arcs || path.ring || !path.arcs.empty();
+      offsets_.push_back(offsets_.back() +
+                         (path.ring ? path.ring->arcs.size() : path.parts()));
     }
     return arcs;
   }
+  [[nodiscard]] std::size_t number_of(const Curve& curve) const {
+    return offsets_[curve.path] + curve.part;
+  }
+
+  void collect(const Band& band) {
+    curves_.clear();
+    for (std::uint32_t i = 0; i < paths_.size(); ++i) {
+      const ArcPath& path = paths_[i];
+      if (!band.meets(rows_[i])) continue;
+      if (path.ring) {
+        collect_ring(i, *path.ring);
+        continue;
+      }
+      std::uint32_t part = 0;
+      for_parts(path, [&](std::size_t a, std::size_t b, const Arc* arc) {
+        const std::uint32_t k = part++;
+        if (!band.meets(rows_of(path, a, b))) return;
+        Curve curve{i, k, false, vector_of(path.vertices[a].at),
+                    vector_of(path.vertices[b].at)};
+        if (arc != nullptr) set_arc(curve, *arc);
+        curves_.push_back(curve);
+      });
+    }
+  }
 
   void collect_ring(std::uint32_t path, const RingArcs& ring) {
-    counts_[path] = static_cast<std::uint32_t>(ring.arcs.size());
     Vector at = vector_of(ring.start);
     for (std::uint32_t k = 0; k < ring.arcs.size(); ++k) {
       const Vector end = vector_of(ring.arcs[k].end);
@@ -203,7 +261,7 @@ class ArcCrossings {
            static_cast<std::uint32_t>(row);
   }
 
-  void add(std::uint32_t index) {
+  void add(std::uint32_t index, const Band& band) {
     const Curve& curve = curves_[index];
     const double length = curve.is_arc
                               ? curve.radius * std::abs(curve.turn)
@@ -220,13 +278,14 @@ class ArcCrossings {
           curve.is_arc ? std::min(cell_, cell_ * cell_ / (8 * curve.radius))
                        : 0;
       const double margin = bulge + 2 * kNear;
-      const auto cell = [this](double v) {
-        return static_cast<std::int64_t>(std::floor(v / cell_));
-      };
-      for (std::int64_t c = cell(std::min(a.x, b.x) - margin);
-           c <= cell(std::max(a.x, b.x) + margin); ++c)
-        for (std::int64_t r = cell(std::min(a.y, b.y) - margin);
-             r <= cell(std::max(a.y, b.y) + margin); ++r)
+      const std::int64_t left = cell_of(std::min(a.x, b.x) - margin);
+      const std::int64_t right = cell_of(std::max(a.x, b.x) + margin);
+      const std::int64_t top =
+          std::max(cell_of(std::min(a.y, b.y) - margin), band.first);
+      const std::int64_t bottom =
+          std::min(cell_of(std::max(a.y, b.y) + margin), band.last);
+      for (std::int64_t c = left; c <= right; ++c)
+        for (std::int64_t r = top; r <= bottom; ++r)
           enter(key(c, r), curve.is_arc, index);
       a = b;
     }
@@ -241,12 +300,12 @@ class ArcCrossings {
     if (marks_[mark]) entries_.push_back({cell, index});
   }
 
-  void search(std::vector<bool>& wrong) {
+  void search(const Band& band) {
     entries_.clear();
     marks_.assign(std::bit_ceil(8 * curves_.size() + 1024), false);
     for (const bool arcs : {true, false})
       for (std::uint32_t i = 0; i < curves_.size(); ++i)
-        if (curves_[i].is_arc == arcs) add(i);
+        if (curves_[i].is_arc == arcs) add(i, band);
     std::sort(entries_.begin(), entries_.end(),
               [](const Entry& a, const Entry& b) {
                 return a.cell != b.cell ? a.cell < b.cell : a.curve < b.curve;
@@ -260,26 +319,24 @@ class ArcCrossings {
         if (i > first && entries_[i].curve == entries_[i - 1].curve) continue;
         for (std::size_t k = i + 1; k < end; ++k) {
           if (entries_[k].curve == entries_[k - 1].curve) continue;
-          compare(entries_[i].curve, entries_[k].curve, wrong);
+          compare(curves_[entries_[i].curve], curves_[entries_[k].curve]);
         }
       }
       first = end;
     }
   }
 
-  void compare(std::uint32_t i, std::uint32_t k, std::vector<bool>& wrong) {
-    const Curve& a = curves_[i];
-    const Curve& b = curves_[k];
+  void compare(const Curve& a, const Curve& b) {
     if (!a.is_arc && !b.is_arc) return;
     // Arcs of one ring follow one another round nearly the same centre.
     if (a.path == b.path && paths_[a.path].ring) return;
-    if (wrong[i] || wrong[k]) return;
+    if (wrong_[number_of(a)] || wrong_[number_of(b)]) return;
     if (!cross(a.is_arc ? a : b, a.is_arc ? b : a)) return;
     // The longer arc goes.
     const auto size = [](const Curve& curve) {
       return curve.is_arc ? curve.radius * std::abs(curve.turn) : -1;
     };
-    wrong[size(a) >= size(b) ? i : k] = true;
+    wrong_[number_of(size(a) >= size(b) ? a : b)] = true;
   }
 
   [[nodiscard]] bool cross(const Curve& arc, const Curve& other) const {
@@ -307,7 +364,7 @@ class ArcCrossings {
   /// The place is where one of the two goes over into the other.
   [[nodiscard]] bool is_joint(const Curve& a, const Curve& b, Vector at) const {
     if (a.path != b.path) return false;
-    const std::uint32_t count = counts_[a.path];
+    const std::size_t count = offsets_[a.path + 1] - offsets_[a.path];
     const auto follows = [&](const Curve& p, const Curve& q) {
       const bool next = q.part == p.part + 1 ||
                         (closed_[a.path] && q.part == 0 && p.part + 1 == count);
@@ -316,44 +373,38 @@ class ArcCrossings {
     return follows(a, b) || follows(b, a);
   }
 
-  void remove(const std::vector<bool>& wrong, std::vector<bool>& changed) {
-    std::size_t index = 0;
+  void remove(std::vector<bool>& changed) {
     for (std::size_t i = 0; i < paths_.size(); ++i) {
-      const std::size_t first = index;
-      index += counts_[i];
-      const auto at = [&](std::size_t k) {
-        return wrong.begin() + static_cast<std::ptrdiff_t>(k);
+      ArcPath& path = paths_[i];
+      const std::size_t first = offsets_[i];
+      const auto at = [this](std::size_t number) {
+        return wrong_.begin() + static_cast<std::ptrdiff_t>(number);
       };
-      if (std::find(at(first), at(index), true) == at(index)) continue;
+      const auto end = at(offsets_[i + 1]);
+      if (std::find(at(first), end, true) == end) continue;
       changed[i] = true;
-      if (paths_[i].ring)
-        paths_[i].ring.reset();
-      else
-        remove_from(paths_[i], at(first));
-    }
-  }
-
-  static void remove_from(ArcPath& path,
-                          std::vector<bool>::const_iterator wrong) {
-    PathParts parts;
-    std::size_t start = 0;
-    for (const PathPart& part : path.parts) {
-      if (*wrong++) {
-        for (std::size_t v = start + 1; v <= part.end; ++v)
-          parts.push_back({v, false, {}});
-      } else {
-        parts.push_back(part);
+      if (path.ring) {
+        path.ring.reset();
+        continue;
       }
-      start = part.end;
+      std::size_t number = first;
+      std::vector<PathArc> kept;
+      for_parts(path, [&](std::size_t a, std::size_t b, const Arc* arc) {
+        if (!wrong_[number++] && arc != nullptr) kept.push_back({a, b, *arc});
+      });
+      path.arcs = std::move(kept);
     }
-    path.parts = std::move(parts);
   }
 
   std::span<ArcPath> paths_;
   const std::vector<bool>& closed_;
   double cell_;
+  std::vector<Band> rows_;  ///< of each path
+  Band all_{std::numeric_limits<std::int64_t>::max(),
+            std::numeric_limits<std::int64_t>::min()};
+  std::vector<std::size_t> offsets_;  ///< the number of each path's first part
+  std::vector<bool> wrong_;           ///< by number
   std::vector<Curve> curves_;
-  std::vector<std::uint32_t> counts_;
   std::vector<Entry> entries_;
   std::vector<bool> marks_;  ///< cells that arcs reach
 };

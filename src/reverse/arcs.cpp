@@ -6,12 +6,6 @@
 namespace unstep::reverse {
 namespace {
 
-PathParts lines_only(const LineVertices& vertices) {
-  PathParts parts(vertices.size() - 1);
-  for (std::size_t i = 0; i < parts.size(); ++i) parts[i].end = i + 1;
-  return parts;
-}
-
 std::vector<Point> points_of(const ChainWalk& chain,
                              const LineVertices& vertices) {
   Point at = chain.origin();
@@ -30,14 +24,14 @@ class ArcLayer {
            const LineVertices& vertices)
       : fitter_(fitter), points_(points), vertices_(vertices) {}
 
-  PathParts run() {
-    PathParts parts;
+  std::vector<PathArc> run() {
+    std::vector<PathArc> arcs;
     for (std::size_t a = 0; a + 1 < vertices_.size();) {
-      const std::optional<PathPart> arc = longest_from(a);
-      parts.push_back(arc ? *arc : PathPart{a + 1, false, {}});
-      a = parts.back().end;
+      const std::optional<PathArc> arc = longest_from(a);
+      if (arc) arcs.push_back(*arc);
+      a = arc ? arc->end : a + 1;
     }
-    return parts;
+    return arcs;
   }
 
  private:
@@ -48,7 +42,7 @@ class ArcLayer {
                         vertices_[b].at});
   }
 
-  [[nodiscard]] std::optional<PathPart> longest_from(std::size_t a) const {
+  [[nodiscard]] std::optional<PathArc> longest_from(std::size_t a) const {
     const std::size_t last = vertices_.size() - 1;
     std::size_t good = a + kLeastLines;
     if (good > last) return std::nullopt;
@@ -73,7 +67,7 @@ class ArcLayer {
         bad = middle;
       }
     }
-    return PathPart{good, true, *best};
+    return PathArc{a, good, *best};
   }
 
   const ArcFitter& fitter_;
@@ -97,14 +91,14 @@ LineVertices turned(const LineVertices& ring, std::size_t start,
 /// first arc ends.
 void improve_start(const ChainWalk& chain, const ArcFitter& fitter,
                    ArcPath& path) {
-  if (!path.parts.front().is_arc || path.parts.size() < 2) return;
-  LineVertices other =
-      turned(path.vertices, path.parts.front().end, chain.size());
-  const std::vector<Point> points = points_of(chain, other);
-  PathParts parts = ArcLayer(fitter, points, other).run();
-  if (parts.size() >= path.parts.size()) return;
-  path.vertices = std::move(other);
-  path.parts = std::move(parts);
+  if (path.arcs.empty() || path.arcs.front().first > 0 || path.parts() < 2) {
+    return;
+  }
+  ArcPath other =
+      without_arcs(turned(path.vertices, path.arcs.front().end, chain.size()));
+  const std::vector<Point> points = points_of(chain, other.vertices);
+  other.arcs = ArcLayer(fitter, points, other.vertices).run();
+  if (other.parts() < path.parts()) path = std::move(other);
 }
 
 }  // namespace
@@ -118,23 +112,21 @@ ArcPath fit_arcs(const ChainWalk& chain, const ArcFitter& fitter,
     path.ring = fitter.fit_ring(points);
     if (path.ring) return path;
   }
-  path.parts = ArcLayer(fitter, points, path.vertices).run();
+  path.arcs = ArcLayer(fitter, points, path.vertices).run();
   if (chain.closed()) improve_start(chain, fitter, path);
   return path;
 }
 
 ArcPath without_arcs(LineVertices vertices) {
-  PathParts parts = lines_only(vertices);
-  return {std::move(vertices), std::move(parts), {}};
+  return {std::move(vertices), {}, {}};
 }
 
 void drop_dear_arcs(ArcPath& path, const LinePrice& price) {
   if (path.ring) return;
   // About what a centre needs, more or less by the radius, and that it is one.
   constexpr std::int32_t kCentre = 16 * LinePrice::kBit;
-  PathParts parts;
+  std::vector<PathArc> kept;
   vectors::Vec before;
-  std::size_t start = 0;
   const auto line_to = [&](std::size_t a, std::size_t b) {
     return vectors::between(path.vertices[a].at, path.vertices[b].at);
   };
@@ -142,31 +134,28 @@ void drop_dear_arcs(ArcPath& path, const LinePrice& price) {
     return price(price.after(after), static_cast<std::int32_t>(v.x),
                  static_cast<std::int32_t>(v.y));
   };
-  for (const PathPart& part : path.parts) {
-    bool keep = part.is_arc;
-    const vectors::Vec chord = line_to(start, part.end);
-    if (keep && !chord.zero()) {
-      std::int32_t lines = 0;
-      vectors::Vec last = before;
-      for (std::size_t i = start; i < part.end; ++i) {
-        const vectors::Vec v = line_to(i, i + 1);
-        lines += cost_of(last, v);
-        last = v;
-      }
-      keep = cost_of(before, chord) + kCentre < lines;
+  for_parts(path, [&](std::size_t a, std::size_t b, const Arc* arc) {
+    const vectors::Vec chord = line_to(a, b);
+    if (arc == nullptr || chord.zero()) {
+      if (arc != nullptr) kept.push_back({a, b, *arc});
+      before = chord;
+      return;
     }
-    if (keep) {
-      parts.push_back(part);
+    std::int32_t lines = 0;
+    vectors::Vec last = before;
+    for (std::size_t i = a; i < b; ++i) {
+      const vectors::Vec v = line_to(i, i + 1);
+      lines += cost_of(last, v);
+      last = v;
+    }
+    if (cost_of(before, chord) + kCentre < lines) {
+      kept.push_back({a, b, *arc});
       before = chord;
     } else {
-      for (std::size_t i = start; i < part.end; ++i) {
-        parts.push_back({i + 1, false, {}});
-        before = line_to(i, i + 1);
-      }
+      before = line_to(b - 1, b);
     }
-    start = part.end;
-  }
-  path.parts = std::move(parts);
+  });
+  path.arcs = std::move(kept);
 }
 
 Path path_of(const ArcPath& from, bool closed) {
@@ -179,20 +168,17 @@ Path path_of(const ArcPath& from, bool closed) {
     return path;
   }
   path.origin = from.vertices.front().at;
-  path.elements.resize(from.parts.size());
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < path.elements.size(); ++i) {
-    const PathPart& part = from.parts[i];
-    const Point a = from.vertices[start].at;
-    const Point b = from.vertices[part.end].at;
-    if (part.is_arc) {
-      path.elements[i].kind = Path::Kind::arc;
-      path.elements[i].arc = part.arc;
+  path.elements.reserve(from.parts());
+  for_parts(from, [&](std::size_t a, std::size_t b, const Arc* arc) {
+    const Point start = from.vertices[a].at;
+    const Point end = from.vertices[b].at;
+    if (arc != nullptr) {
+      path.elements.push_back({Path::Kind::arc, {}, *arc});
     } else {
-      path.elements[i].segment = {b.x - a.x, b.y - a.y};
+      path.elements.push_back(
+          {Path::Kind::segment, {end.x - start.x, end.y - start.y}, {}});
     }
-    start = part.end;
-  }
+  });
   return path;
 }
 

@@ -12,23 +12,42 @@
 
 namespace unstep::reverse {
 
-/// Part of a path: one line or one arc, from where the last part ended to the
-/// vertex `end` of the path of lines.
-struct PathPart {
+/// An arc in place of the lines from one vertex to another.
+struct PathArc {
+  std::size_t first = 0;
   std::size_t end = 0;
-  bool is_arc = false;
   Arc arc;
 };
-using PathParts = std::vector<PathPart>;
 
-/// A path of lines with some of them replaced by arcs.
+/// A path of lines with some of them replaced by arcs, in their order.
 struct ArcPath {
   LineVertices vertices;
-  PathParts parts;
-  /// The whole ring as one circle; `parts` are then lines, for the case that
-  /// it may not stay.
+  std::vector<PathArc> arcs;
+  /// The whole ring as one circle; without `arcs`, for the case that it may not
+  /// stay.
   std::optional<RingArcs> ring;
+
+  /// Lines and arcs, without those of the ring.
+  [[nodiscard]] std::size_t parts() const {
+    std::size_t count = vertices.size() - 1;
+    for (const PathArc& arc : arcs) count -= arc.end - arc.first - 1;
+    return count;
+  }
 };
+
+/// visit(a, b, arc) for every part from vertex a to vertex b; `arc` is nullptr
+/// for lines.
+template <class Visit>
+void for_parts(const ArcPath& path, const Visit& visit) {
+  auto arc = path.arcs.begin();
+  for (std::size_t a = 0; a + 1 < path.vertices.size();) {
+    const bool is_arc = arc != path.arcs.end() && arc->first == a;
+    const std::size_t b = is_arc ? arc->end : a + 1;
+    visit(a, b, is_arc ? &arc->arc : nullptr);
+    if (is_arc) ++arc;
+    a = b;
+  }
+}
 
 /// An arc is taken if it stands for at least so many lines: it has two numbers
 /// more than a line, and it must be worth them.
