@@ -14,7 +14,7 @@
 
 namespace unstep::codec {
 
-/// Predicts what kind of chain comes and how long it is.
+/// Predicts what kind of chain comes and, of open ones, how long it is.
 class ChainKindModel {
  public:
   template <class Coder>
@@ -28,16 +28,32 @@ class ChainKindModel {
     closed_before_ = coded.closed ? 1 : 0;
   }
 
-  /// Of the chain whose kind was coded last.
   template <class Coder>
   std::uint64_t code_steps(Coder& coder, std::uint64_t steps) {
-    return steps_[closed_before_].code(coder, steps);
+    return steps_.code(coder, steps);
+  }
+
+  /// Of a closed chain: whether it has a step.
+  template <class Coder>
+  bool code_some(Coder& coder, bool some) {
+    return NumberModel::decide(coder, some_, some);
+  }
+
+  /// Of a closed chain that is at its origin again: whether it ends here.
+  /// `returns`: how often it was there before; `turn`: from the last step to
+  /// the first one.
+  template <class Coder>
+  bool code_end(Coder& coder, unsigned returns, unsigned turn, bool end) {
+    return NumberModel::decide(
+        coder, ends_[std::min<std::size_t>(returns, 2)][turn & 7], end);
   }
 
  private:
   std::array<entropy::Counter, 2> four_;
   std::array<entropy::Counter, 2> closed_;
-  std::array<NumberModel, 2> steps_;
+  NumberModel steps_;
+  entropy::Counter some_;
+  std::array<std::array<entropy::Counter, 8>, 3> ends_;
   std::size_t four_before_ = 0;
   std::size_t closed_before_ = 0;
 };
@@ -67,13 +83,19 @@ class ChainHeadModel {
   }
 
   /// `left`: the steps that are left of the payload. `last`: it is the last
-  /// chain and has all of them. The result is what was coded, not checked.
+  /// chain and has all of them. The result is what was coded, not checked; a
+  /// closed chain with steps has `left` of them, for it ends by code_end().
   template <class Coder>
   ChainHead code(Coder& coder, const ChainHead& head, std::uint64_t left,
                  bool last) {
     ChainHead h;
     kind_.code_kind(coder, head, h);
-    h.steps = last ? left : kind_.code_steps(coder, head.steps);
+    if (h.closed) {
+      const bool some = left > 0 && kind_.code_some(coder, head.steps > 0);
+      h.steps = some ? left : 0;
+    } else {
+      h.steps = last ? left : kind_.code_steps(coder, head.steps);
+    }
     const Vec start = starts_.code(coder, head.origin, density_);
     outside_ = !in_coordinate_range(start.x, start.y);
     if (!outside_) {
@@ -86,6 +108,11 @@ class ChainHeadModel {
 
   /// Whether the last origin was out of the coordinate range.
   [[nodiscard]] bool outside() const { return outside_; }
+
+  template <class Coder>
+  bool code_end(Coder& coder, unsigned returns, unsigned turn, bool end) {
+    return kind_.code_end(coder, returns, turn, end);
+  }
 
   /// Every fourth point is enough for the density.
   void visit(Point at) {

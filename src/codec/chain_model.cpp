@@ -38,7 +38,6 @@ void ChainModel::begin(const ChainHead& head) {
   origin_ = head.origin;
   closed_ = head.closed;
   four_ = head.connectivity == Connectivity::four;
-  left_ = head.steps;
   direction_ = 0;
   history_ = kNoHistory;
   runs_ = {};
@@ -48,26 +47,6 @@ void ChainModel::begin(const ChainHead& head) {
   trail_[0] = here_;
   dss_ = DssState(four_ ? 4 : 8);
   visits_.mark(here_.at);
-}
-
-unsigned ChainModel::allowed_turns() const {
-  const unsigned turns = four_ ? 0x55 : 0xff;
-  if (!closed_) return turns;
-  const auto distance = [&](Point p) {
-    const std::int64_t dx = std::abs(std::int64_t{origin_.x} - p.x);
-    const std::int64_t dy = std::abs(std::int64_t{origin_.y} - p.y);
-    return static_cast<std::uint64_t>(four_ ? dx + dy : std::max(dx, dy));
-  };
-  if (distance(here_.at) + 2 <= left_) return turns;
-  unsigned allowed = 0;
-  for (unsigned turn = 0; turn < 8; ++turn) {
-    const Point move = step_delta((direction_ + turn) & 7U);
-    if ((turns >> turn & 1) != 0 &&
-        distance({here_.at.x + move.x, here_.at.y + move.y}) < left_) {
-      allowed |= 1U << turn;
-    }
-  }
-  return allowed;
 }
 
 /// The last steps as a vector, in the frame of the current quarter.
@@ -97,19 +76,32 @@ unsigned ChainModel::bulge(std::uint32_t steps) const {
                        (y * dx - x * dy));
 }
 
-/// The way home of a closed chain that must be there soon, else 0.
+/// The way home of a closed chain that is near it, else 0.
 std::uint64_t ChainModel::home() const {
-  if (!closed_ || left_ > 20) return 0;
+  constexpr std::int32_t kNear = 15;
   std::int32_t dx = origin_.x - here_.at.x;
   std::int32_t dy = origin_.y - here_.at.y;
+  if (!closed_ || steps_ < 3 || std::abs(dx) > kNear || std::abs(dy) > kNear) {
+    return 0;
+  }
   for (unsigned q = 0; q < direction_ / 2U; ++q) {
     const std::int32_t t = dx;
     dx = dy;
     dy = -t;
   }
-  return (left_ << 12 | static_cast<std::uint64_t>((dx + 32) << 6 | (dy + 32)))
-             << 1 |
-         (direction_ & 1);
+  return static_cast<std::uint64_t>((dx + 32) << 7 | (dy + 32) << 1 |
+                                    (direction_ & 1));
+}
+
+/// The way on of a chain that is not near home. Closed chains often begin at
+/// their topmost point and never go above it.
+std::uint64_t ChainModel::rows_below() const {
+  const std::uint64_t recent = history_ & 0xfff;
+  if (!closed_) return recent << 3 | direction_;
+  const auto below = static_cast<std::uint64_t>(
+      std::clamp(std::int64_t{origin_.y} - here_.at.y + 1, std::int64_t{0},
+                 std::int64_t{3}));
+  return (recent & 0x1ff) << 5 | below << 3 | direction_;
 }
 
 void ChainModel::set_context(std::size_t i, std::uint64_t value) {
@@ -160,7 +152,7 @@ void ChainModel::ask_slots() {
   set_context(12, mix(chord(32), mix(bulge(32) << 9 | history(3), base)));
   set_context(13, mix(level << 3 | guess, mix(history(2), base)));
   set_context(14, way_home != 0 ? mix(way_home, mix(history(1), base + 8))
-                                : mix(history(4) << 3 | direction_, base));
+                                : mix(rows_below(), base));
   next_selectors_ = {
       std::min<std::size_t>(std::bit_width(runs_[0]), 7) * 8,
       static_cast<std::size_t>(history(2)) * 8,
@@ -228,7 +220,6 @@ void ChainModel::advance(unsigned turn) {
   here_.at.y += move.y;
   trail_[++steps_ % trail_.size()] = here_;
   visits_.mark(here_.at);
-  --left_;
 }
 
 }  // namespace unstep::codec

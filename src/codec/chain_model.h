@@ -31,21 +31,18 @@ class ChainModel {
   /// A chain starts at an origin.
   void begin(const ChainHead& head);
 
-  /// Codes the next step and goes along it. Returns whether there was one
-  /// possible: a closed chain must be able to come home in time.
+  /// Codes the next step and goes along it.
   template <class Coder>
-  bool code(Coder& coder, Step& step) {
-    const unsigned allowed = allowed_turns();
-    if (allowed == 0) return false;
+  void code(Coder& coder, Step& step) {
     // The order hides the latency of the slots: the first asks for them, the
     // second works on those of the step before.
     ask_slots();
     learn();
     recall();
-    const unsigned turn = code_turn(coder, (step - direction_) & 7U, allowed);
+    const unsigned turn =
+        code_turn(coder, (step - direction_) & 7U, four_ ? 0x55 : 0xff);
     step = static_cast<Step>((direction_ + turn) & 7U);
     advance(turn);
-    return true;
   }
 
   [[nodiscard]] Point position() const { return here_.at; }
@@ -100,7 +97,6 @@ class ChainModel {
     return decide(kLeft4, 0x10) ? 4 : 3;
   }
 
-  [[nodiscard]] unsigned allowed_turns() const;
   void ask_slots();
   void set_context(std::size_t i, std::uint64_t value);
   void learn();
@@ -110,6 +106,7 @@ class ChainModel {
   [[nodiscard]] std::uint64_t chord(std::uint32_t steps) const;
   [[nodiscard]] unsigned bulge(std::uint32_t steps) const;
   [[nodiscard]] std::uint64_t home() const;
+  [[nodiscard]] std::uint64_t rows_below() const;
 
   int table_bits_;
   std::vector<Slot> slots_;
@@ -121,7 +118,6 @@ class ChainModel {
   Point origin_;
   bool closed_ = false;
   bool four_ = false;
-  std::uint64_t left_ = 0;  ///< steps to come
 
   // What it did.
   Step direction_ = 0;

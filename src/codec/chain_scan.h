@@ -43,14 +43,11 @@ class ChainScan {
       if (side_.damaged() || heads_.outside() || head.steps > left_) {
         return damaged(i);
       }
-      left_ -= head.steps;
       side_.begin(head);
       model_.begin(head);
       heads_.visit(head.origin);
-      for (std::uint64_t k = 0; k < head.steps; ++k) {
-        if (!code_step(i, k)) return damaged(i);
-        if (progress && k % 65536 == 65535 && !progress(i)) return cancelled();
-      }
+      const Status done = code_steps(i, head, progress);
+      if (!done) return done;
     }
     // Of no chains there are no steps.
     return left_ == 0 ? Status() : damaged(0);
@@ -63,14 +60,30 @@ class ChainScan {
             "chain payload is damaged at chain " + std::to_string(i + 1)};
   }
 
-  bool code_step(std::uint64_t i, std::uint64_t k) {
-    Step step = side_.step(i, k);
-    if (side_.damaged() || !model_.code(side_.coder(), step)) return false;
-    const Point at = model_.position();
-    if (!in_coordinate_range(at.x, at.y)) return false;
-    heads_.visit(at);
-    side_.push(step);
-    return true;
+  Status code_steps(std::uint64_t i, const ChainHead& head,
+                    const BlockProgress& progress) {
+    Step first = 0;
+    unsigned returns = 0;
+    for (std::uint64_t k = 0; k < head.steps; ++k) {
+      Step step = side_.step(i, k);
+      if (side_.damaged()) return damaged(i);
+      model_.code(side_.coder(), step);
+      const Point at = model_.position();
+      if (!in_coordinate_range(at.x, at.y)) return damaged(i);
+      heads_.visit(at);
+      side_.push(step);
+      --left_;
+      if (k == 0) first = step;
+      if (head.closed && at == head.origin) {
+        if (left_ == 0) return {};
+        const auto turn = static_cast<unsigned>(first - step);
+        const bool end = k + 1 == side_.head(i).steps;
+        if (heads_.code_end(side_.coder(), returns++, turn, end)) return {};
+      }
+      if (progress && k % 65536 == 65535 && !progress(i)) return cancelled();
+    }
+    // A closed chain has returned before, unless it has no steps.
+    return head.closed && head.steps > 0 ? damaged(i) : Status();
   }
 
   Side& side_;
