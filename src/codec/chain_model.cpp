@@ -12,18 +12,6 @@ namespace {
 /// Stands for the turns before the first step.
 constexpr std::uint64_t kNoHistory = 0x4924924924924924ULL;
 
-/// An eighth for every input, 12 fractional bits.
-constexpr std::array<std::array<std::int16_t, ChainModel::kInputs>, 1>
-make_initial_weights() {
-  std::array<std::int16_t, ChainModel::kInputs> weights{};
-  for (std::size_t i = 0; i < ChainModel::kContexts; ++i) {
-    weights[i] = weights[i + 16] = 4096 / 8;
-  }
-  return {weights};
-}
-
-constexpr auto kInitialWeights = make_initial_weights();
-
 }  // namespace
 
 ChainModel::ChainModel(int table_bits)

@@ -25,6 +25,11 @@ class ChainModel {
   static constexpr std::size_t kInputs = 32;
   static constexpr std::size_t kDecisions = 5;  ///< of one turn, at most
 
+  using Weights = std::array<std::int16_t, kInputs>;
+  /// What the mixer starts with, 12 fractional bits: a vector for each node, the
+  /// last for none.
+  static const std::array<Weights, 8> kInitialWeights;
+
   /// 2^table_bits slots per context.
   explicit ChainModel(int table_bits);
 
@@ -46,6 +51,9 @@ class ChainModel {
   }
 
   [[nodiscard]] Point position() const { return here_.at; }
+
+  /// For the training of kInitialWeights.
+  [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
   /// The binary decisions of a turn: whether there is one, to which side, and
