@@ -4,6 +4,7 @@
 #include "codec/block_coder.h"
 #include "codec/chain_scan.h"
 #include "entropy/arithmetic_decoder.h"
+#include "unstep/interpolate.h"
 
 namespace unstep::codec {
 namespace {
@@ -27,7 +28,18 @@ class DecoderSide {
                        head.closed,
                        {}});
   }
+  [[nodiscard]] static std::span<const DigitalSegment> segments(
+      std::uint64_t /*i*/) {
+    return {};
+  }
   void push(Step step) { chains_.back().steps.push_back(step); }
+  /// The model holds what interpolate() asks for.
+  void push_segment(const DigitalSegment& segment) {
+    std::vector<Step>& steps = chains_.back().steps;
+    const std::size_t before = steps.size();
+    steps.resize(before + segment.n);
+    (void)interpolate({&segment, 1}, std::span(steps).subspan(before));
+  }
   [[nodiscard]] bool damaged() const { return coder_.overrun(); }
 
   [[nodiscard]] std::vector<Chain> take() { return std::move(chains_); }

@@ -7,6 +7,7 @@
 #include "codec/chain_coder.h"
 #include "codec/chain_head_model.h"
 #include "codec/chain_model.h"
+#include "codec/segment_model.h"
 
 namespace unstep::codec {
 
@@ -17,8 +18,10 @@ namespace unstep::codec {
 ///     coder()      an arithmetic encoder or decoder
 ///     head(i)      the true head of chain i
 ///     step(i, k)   the true step k of chain i
+///     segments(i)  the true segments of chain i, if these are to be coded
 ///     begin(head)  a chain's head is complete
 ///     push(step)   so is a step of it
+///     push_segment(s)  so are the steps of a segment of it
 ///     damaged()    the payload cannot be right; give up
 ///
 /// The decoder's answers to the questions are never looked at. Here y grows
@@ -46,7 +49,11 @@ class ChainScan {
       side_.begin(head);
       model_.begin(head);
       heads_.visit(head.origin);
-      const Status done = code_steps(i, head, progress);
+      const bool by_segments =
+          head.steps > 0 && NumberModel::decide(side_.coder(), by_segments_,
+                                                !side_.segments(i).empty());
+      const Status done = by_segments ? code_segments(i, head, progress)
+                                      : code_steps(i, head, progress);
       if (!done) return done;
     }
     // Of no chains there are no steps.
@@ -74,11 +81,9 @@ class ChainScan {
       side_.push(step);
       --left_;
       if (k == 0) first = step;
-      if (head.closed && at == head.origin) {
-        if (left_ == 0) return {};
-        const auto turn = static_cast<unsigned>(first - step);
-        const bool end = k + 1 == side_.head(i).steps;
-        if (heads_.code_end(side_.coder(), returns++, turn, end)) return {};
+      if (head.closed && at == head.origin &&
+          ends(returns++, first - step, k + 1 == side_.head(i).steps)) {
+        return {};
       }
       if (progress && k % 65536 == 65535 && !progress(i)) return cancelled();
     }
@@ -86,11 +91,57 @@ class ChainScan {
     return head.closed && head.steps > 0 ? damaged(i) : Status();
   }
 
+  /// Closed chains end at ends of segments only.
+  Status code_segments(std::uint64_t i, const ChainHead& head,
+                       const BlockProgress& progress) {
+    const bool four = head.connectivity == Connectivity::four;
+    Point at = head.origin;
+    Step first = 0;
+    Step last = 0;
+    unsigned returns = 0;
+    std::uint64_t open = head.steps;
+    for (std::size_t k = 0; open > 0; ++k) {
+      const auto truth = side_.segments(i);
+      const DigitalSegment s = segments_.code(
+          side_.coder(), k < truth.size() ? truth[k] : kNoSegment, last, four);
+      if (side_.damaged() || segments_.outside() || s.n > open) {
+        return damaged(i);
+      }
+      bool inside = false;
+      at = end_of(s, at, inside);
+      if (!inside) return damaged(i);
+      heads_.visit(at);
+      side_.push_segment(s);
+      open -= s.n;
+      left_ -= s.n;
+      if (k == 0) first = s.s0;
+      last = last_step(s);
+      if (head.closed && at == head.origin &&
+          ends(returns++, first - last, k + 1 == truth.size())) {
+        return {};
+      }
+      if (progress && k % 1024 == 1023 && !progress(i)) return cancelled();
+    }
+    return head.closed ? damaged(i) : Status();
+  }
+
+  /// Of a closed chain that is at its origin again: whether it ends here.
+  bool ends(unsigned returns, int turn, bool end) {
+    return left_ == 0 || heads_.code_end(side_.coder(), returns,
+                                         static_cast<unsigned>(turn), end);
+  }
+
+  /// What the decoder takes for the truth, which is not looked at.
+  static constexpr DigitalSegment kNoSegment{0, 0, 2, 1, 2, 0};
+
   Side& side_;
   std::uint64_t count_;
   std::uint64_t left_;  ///< steps of the chains to come
   ChainHeadModel heads_;
   ChainModel model_;
+  SegmentModel segments_;
+  entropy::Counter by_segments_{kRarely, 4};  ///< nearly no chain is
+  static constexpr std::uint16_t kRarely = 2048;
 };
 
 }  // namespace unstep::codec

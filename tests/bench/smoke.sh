@@ -27,3 +27,8 @@ assert all(p["coders"]["unstep"]["verified"] for p in pages)
 assert "decode_s" in [p for p in pages if p["set"] == "large"][0][
     "coders"]["unstep"]
 END
+
+"$python" "$here/huge_vectors.py" --build "$(dirname "$unstep")/.." \
+  --size 700 600 --tmp "$work" >"$work/huge.md"
+grep -q '^| unstep convert, SVG | ' "$work/huge.md"
+grep -q '^| unstep compress, exact | ' "$work/huge.md"

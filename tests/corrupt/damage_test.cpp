@@ -54,7 +54,9 @@ Drawing strokes() {
   drawing.chains = {
       {{3, 4}, Connectivity::four, true, {0, 0, 0, 6, 6, 4, 4, 4, 2, 2}},
       {{-2, 9}, Connectivity::eight, false, {0, 1, 0, 1, 7, 0, 0, 6, 5}},
-      {{30, 20}, Connectivity::eight, true, {}}};
+      {{30, 20}, Connectivity::eight, true, {}},
+      {{7, 8}, Connectivity::eight, false, std::vector<Step>(2000, 7)}};
+  drawing.chains.back().steps[999] = 6;
   return drawing;
 }
 

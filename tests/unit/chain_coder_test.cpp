@@ -12,6 +12,7 @@
 #include "codec/block_coder.h"
 #include "unstep/codec.h"
 #include "unstep/grid.h"
+#include "unstep/interpolate.h"
 
 namespace unstep {
 namespace {
@@ -168,6 +169,59 @@ TEST(ChainCoder, SpendsLittleOnStraightLinesAndOnRepetition) {
   EXPECT_LT(round_trip(stamps).size(), once * 2);
 }
 
+/// Steps of a straight line, 8- or 4-connected.
+void draw_line(std::vector<Step>& steps, Segment line, bool four) {
+  const Method method = four ? Method::evaluation : Method::evaluation8;
+  std::vector<Step> drawn(static_cast<std::size_t>(std::abs(line.dx)) +
+                          static_cast<std::size_t>(std::abs(line.dy)));
+  const auto count = interpolate(method, {&line, 1}, drawn);
+  ASSERT_TRUE(count);
+  steps.insert(steps.end(), drawn.begin(),
+               drawn.begin() + static_cast<std::ptrdiff_t>(*count));
+}
+
+/// A ring of straight lines, through its origin once on the way.
+Chain ring_of_lines(std::mt19937& random, bool four) {
+  Chain chain{
+      {-5, 7}, four ? Connectivity::four : Connectivity::eight, true, {}};
+  for (int lap = 0; lap < 2; ++lap) {
+    Segment home;
+    for (int i = 0; i < 4; ++i) {
+      const Segment line{static_cast<std::int32_t>(random() % 4001) - 2000,
+                         static_cast<std::int32_t>(random() % 4001) - 2000};
+      draw_line(chain.steps, line, four);
+      home = {home.dx - line.dx, home.dy - line.dy};
+    }
+    draw_line(chain.steps, home, four);
+  }
+  return chain;
+}
+
+TEST(ChainCoder, KeepsLongLinesInFewBytes) {
+  std::mt19937 random(107);
+  for (const bool four : {false, true}) {
+    std::vector<Chain> chains;
+    for (int i = 0; i < 6; ++i) {
+      chains.push_back(ring_of_lines(random, four));
+      Chain open = chains.back();
+      open.closed = false;
+      open.steps.resize(open.steps.size() / 2);
+      chains.push_back(std::move(open));
+    }
+    chains.push_back(random_walk(random, 3000, four, true));
+    round_trip(chains, YAxis::up);
+    chains.pop_back();
+    // About 45 bits a line of some 2000 steps.
+    EXPECT_LT(round_trip(chains).size(), 6U * 15 * 8);
+  }
+}
+
+TEST(ChainCoder, KeepsAMillionStepsOfALineInAFewBytes) {
+  Chain line{{}, Connectivity::eight, false, {}};
+  draw_line(line.steps, {1'000'003, 414'214}, false);
+  EXPECT_LT(round_trip({line}).size(), 20U);
+}
+
 TEST(ChainCoder, RefusesInvalidChains) {
   const std::vector<Chain> invalid{
       {{}, Connectivity::eight, true, {0, 1}},
@@ -239,8 +293,7 @@ bool decodes_soundly(std::span<const std::uint8_t> payload, std::uint64_t count,
   return true;
 }
 
-TEST(ChainCoder, DamagedPayloadsAreRefusedOrSound) {
-  const std::vector<Chain> chains = random_drawing(104, 12, 60);
+void expect_damage_is_seen(const std::vector<Chain>& chains) {
   const std::uint64_t steps = steps_of(chains);
   const std::vector<std::uint8_t> payload =
       encode_chains(chains, YAxis::up, {})->payload;
@@ -259,6 +312,18 @@ TEST(ChainCoder, DamagedPayloadsAreRefusedOrSound) {
   std::vector<std::uint8_t> longer = payload;
   longer.insert(longer.end(), 20, 1);
   EXPECT_FALSE(decodes_soundly(longer, chains.size(), steps));
+}
+
+TEST(ChainCoder, DamagedPayloadsAreRefusedOrSound) {
+  expect_damage_is_seen(random_drawing(104, 12, 60));
+}
+
+TEST(ChainCoder, DamagedSegmentsAreRefusedOrSound) {
+  std::mt19937 random(108);
+  Chain ring = ring_of_lines(random, false);
+  Chain line{{9, 9}, Connectivity::four, false, {}};
+  draw_line(line.steps, {1500, -700}, true);
+  expect_damage_is_seen({ring, line});
 }
 
 TEST(ChainCoder, RandomPayloadsAreRefusedOrSound) {
