@@ -26,8 +26,8 @@ class ChainModel {
   static constexpr std::size_t kDecisions = 5;  ///< of one turn, at most
 
   using Weights = std::array<std::int16_t, kInputs>;
-  /// What the mixer starts with, 12 fractional bits: a vector for each node, the
-  /// last for none.
+  /// What the mixer starts with, 12 fractional bits: a vector for each node,
+  /// the last for none.
   static const std::array<Weights, 8> kInitialWeights;
 
   /// 2^table_bits slots per context.

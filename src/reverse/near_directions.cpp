@@ -1,7 +1,6 @@
 #include "reverse/near_directions.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace unstep::reverse {
 namespace {
@@ -36,9 +35,21 @@ std::int32_t square(Point p) { return p.x * p.x + p.y * p.y; }
 
 struct NearDirections::Near {
   Point at;
-  Cone::Sides disc;  ///< if it has not the apex
-  std::array<Cone::Sides, 4> waiting;
+  Entry entry;
+  std::array<Range, 4> waiting;
 };
+
+namespace {
+
+/// A direction and where its place in the order is to be written.
+struct Sought {
+  double slope = 0;
+  Vector vector;
+  unsigned quarters = 0;
+  std::uint16_t* place = nullptr;
+};
+
+}  // namespace
 
 NearDirections::NearDirections(PathTolerance tolerance)
     : back_(tolerance),
@@ -46,38 +57,39 @@ NearDirections::NearDirections(PathTolerance tolerance)
   constexpr std::int32_t kReach = kRow / 2 - 2;
   std::vector<Near> points;
   for (std::int32_t y = 0; y <= kReach; ++y) {
-    for (std::int32_t x = 1; x <= kReach; ++x) {
-      Near near{{x, y}, {{x, y}, {x, y}}, {}};
-      const auto sides = [&near](std::int64_t across) {
-        const std::int64_t r2 = std::int64_t{square(near.at)}
-                                << Cone::kFraction2;
-        return across * across <= r2 ? Cone::sides_of(near.at, across)
-                                     : near.disc;
-      };
-      near.disc = sides(tolerance.fixed);
-      for (int n = 1; n <= 4; ++n) {
-        near.waiting[static_cast<std::size_t>(n - 1)] = sides(back_.across(n));
-      }
-      points.push_back(near);
-    }
+    for (std::int32_t x = 1; x <= kReach; ++x)
+      points.push_back({{x, y}, {}, {}});
   }
-  std::vector<std::pair<double, Vector>> found;
-  const auto add = [&found](const Cone::Sides& sides) {
-    for (Vector v : {sides.left, sides.right}) {
-      (void)into_first_quadrant(v);
-      found.emplace_back(slope(v), v);
-    }
+  std::vector<Sought> sought;
+  sought.reserve(points.size() * 11);
+  const auto seek = [&sought](Vector v, std::uint16_t& place) {
+    const unsigned quarters = into_first_quadrant(v);
+    sought.push_back({slope(v), v, quarters, &place});
   };
-  for (const Near& near : points) {
-    add({{near.at.x, near.at.y}, {near.at.x, near.at.y}});
-    add(near.disc);
-    for (const Cone::Sides& sides : near.waiting) add(sides);
+  for (Near& near : points) {
+    const std::int32_t r2 = square(near.at);
+    near.entry.r2 = static_cast<std::uint16_t>(r2);
+    seek({near.at.x, near.at.y}, near.entry.direction);
+    const auto seek_sides = [&](std::int64_t across, std::uint16_t& left,
+                                std::uint16_t& right) {
+      // Nearer points have none, and are not asked for them.
+      if (across * across > std::int64_t{r2} << Cone::kFraction2) return;
+      const Cone::Sides sides = Cone::sides_of(near.at, across);
+      seek(sides.left, left);
+      seek(sides.right, right);
+    };
+    seek_sides(tolerance.fixed, near.entry.left, near.entry.right);
+    for (int n = 1; n <= 4; ++n) {
+      Range& range = near.waiting[static_cast<std::size_t>(n - 1)];
+      seek_sides(back_.across(n), range.left, range.right);
+    }
   }
-  std::ranges::sort(found, {}, &std::pair<double, Vector>::first);
-  for (const auto& [steep, vector] : found) {
-    if (!slopes_.empty() && slopes_.back() == steep) continue;
-    slopes_.push_back(steep);
-    vectors_.push_back(vector);
+  std::ranges::sort(sought, {}, &Sought::slope);
+  for (std::size_t i = 0; i < sought.size(); ++i) {
+    const Sought& s = sought[i];
+    if (i == 0 || s.slope != sought[i - 1].slope) vectors_.push_back(s.vector);
+    *s.place = static_cast<std::uint16_t>((s.quarters << kQuadrantBits) +
+                                          vectors_.size() - 1);
   }
   for (std::int32_t r2 = 0; r2 <= near2_; ++r2) {
     std::int32_t& held = held_[static_cast<std::size_t>(r2)];
@@ -89,13 +101,8 @@ NearDirections::NearDirections(PathTolerance tolerance)
 }
 
 void NearDirections::enter(const Near& near) {
-  Entry entry{find({near.at.x, near.at.y}), find(near.disc.left),
-              find(near.disc.right),
-              static_cast<std::uint16_t>(square(near.at))};
-  std::array<Range, 4> waiting;
-  for (std::size_t i = 0; i < waiting.size(); ++i) {
-    waiting[i] = {find(near.waiting[i].left), find(near.waiting[i].right)};
-  }
+  Entry entry = near.entry;
+  std::array<Range, 4> waiting = near.waiting;
   Point at = near.at;
   const auto turn = [](std::uint16_t& direction) {
     direction = static_cast<std::uint16_t>(direction + (1U << kQuadrantBits));
@@ -113,14 +120,6 @@ void NearDirections::enter(const Near& near) {
       turn(range.right);
     }
   }
-}
-
-std::uint16_t NearDirections::find(Cone::Vector vector) const {
-  const unsigned quarters = into_first_quadrant(vector);
-  const auto found = std::ranges::lower_bound(slopes_, slope(vector));
-  return static_cast<std::uint16_t>(
-      (quarters << kQuadrantBits) +
-      static_cast<unsigned>(found - slopes_.begin()));
 }
 
 Cone::Vector NearDirections::vector_of(std::uint16_t direction) const {

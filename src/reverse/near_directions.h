@@ -80,13 +80,11 @@ class NearDirections {
  private:
   struct Near;
   void enter(const Near& near);
-  [[nodiscard]] std::uint16_t find(Cone::Vector vector) const;
 
   Cone::BackRule back_;
   std::int32_t near2_;
   std::array<std::int32_t, 65> held_{};
   std::vector<Cone::Vector> vectors_;  ///< those of the first quadrant
-  std::vector<double> slopes_;         ///< theirs
   static constexpr std::size_t kPlaces = std::size_t{kRow} * kRow;
   std::array<Entry, kPlaces> entries_;
   std::array<std::array<Range, 4>, kPlaces> waiting_;

@@ -49,10 +49,12 @@ Status check_tolerance(const Rational& e) {
                    " is not within 1/256 and 2^20 grid units"};
 }
 
-/// Chains of fewer steps are done before the table of near points is made.
+/// Chains of fewer steps are done before the table of near points is made; that
+/// of the usual tolerance 1 is made once for all drawings.
 constexpr std::size_t kManySteps = std::size_t{1} << 16;
+constexpr std::size_t kSomeSteps = std::size_t{1} << 12;
 
-std::unique_ptr<const NearDirections> near_directions(
+std::shared_ptr<const NearDirections> near_directions(
     std::span<const ChainWalk> chains, const ToleranceOptions& options) {
   const PathTolerance tolerance = in_path_units(options.tolerance);
   if (path_scale(options.tolerance) > 1 ||
@@ -61,8 +63,13 @@ std::unique_ptr<const NearDirections> near_directions(
   }
   std::size_t steps = 0;
   for (const ChainWalk& chain : chains) steps += chain.size();
+  constexpr PathTolerance kOne;
+  if (tolerance.fixed == kOne.fixed && steps >= kSomeSteps) {
+    static const auto of_one = std::make_shared<const NearDirections>(kOne);
+    return of_one;
+  }
   if (steps < kManySteps) return nullptr;
-  return std::make_unique<const NearDirections>(tolerance);
+  return std::make_shared<const NearDirections>(tolerance);
 }
 
 LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options,
