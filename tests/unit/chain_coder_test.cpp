@@ -180,15 +180,20 @@ void draw_line(std::vector<Step>& steps, Segment line, bool four) {
                drawn.begin() + static_cast<std::ptrdiff_t>(*count));
 }
 
-/// A ring of straight lines, through its origin once on the way.
-Chain ring_of_lines(std::mt19937& random, bool four) {
+/// A ring of straight lines up to `reach` along each axis, through its origin
+/// once on the way.
+Chain ring_of_lines(std::mt19937& random, bool four, std::int32_t reach) {
+  const auto way = [&] {
+    return static_cast<std::int32_t>(
+               random() % static_cast<std::uint32_t>(2 * reach + 1)) -
+           reach;
+  };
   Chain chain{
       {-5, 7}, four ? Connectivity::four : Connectivity::eight, true, {}};
   for (int lap = 0; lap < 2; ++lap) {
     Segment home;
     for (int i = 0; i < 4; ++i) {
-      const Segment line{static_cast<std::int32_t>(random() % 4001) - 2000,
-                         static_cast<std::int32_t>(random() % 4001) - 2000};
+      const Segment line{way(), way()};
       draw_line(chain.steps, line, four);
       home = {home.dx - line.dx, home.dy - line.dy};
     }
@@ -202,7 +207,7 @@ TEST(ChainCoder, KeepsLongLinesInFewBytes) {
   for (const bool four : {false, true}) {
     std::vector<Chain> chains;
     for (int i = 0; i < 6; ++i) {
-      chains.push_back(ring_of_lines(random, four));
+      chains.push_back(ring_of_lines(random, four, 2000));
       Chain open = chains.back();
       open.closed = false;
       open.steps.resize(open.steps.size() / 2);
@@ -320,7 +325,7 @@ TEST(ChainCoder, DamagedPayloadsAreRefusedOrSound) {
 
 TEST(ChainCoder, DamagedSegmentsAreRefusedOrSound) {
   std::mt19937 random(108);
-  Chain ring = ring_of_lines(random, false);
+  const Chain ring = ring_of_lines(random, false, 300);
   Chain line{{9, 9}, Connectivity::four, false, {}};
   draw_line(line.steps, {1500, -700}, true);
   expect_damage_is_seen({ring, line});
