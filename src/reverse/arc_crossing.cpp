@@ -160,8 +160,11 @@ struct Band {
 class ArcCrossings {
  public:
   ArcCrossings(std::span<ArcPath> paths, const std::vector<bool>& closed,
-               std::int32_t scale)
-      : paths_(paths), closed_(closed), cell_(16.0 * scale) {
+               std::int32_t scale, std::int64_t band_parts)
+      : paths_(paths),
+        closed_(closed),
+        cell_(16.0 * scale),
+        band_parts_(band_parts) {
     rows_.reserve(paths.size());
     for (const ArcPath& path : paths) {
       rows_.push_back(rows_of(path, 0, path.vertices.size() - 1));
@@ -174,7 +177,7 @@ class ArcCrossings {
     std::vector<bool> changed(paths_.size());
     while (number_parts()) {
       const auto parts = static_cast<std::int64_t>(offsets_.back());
-      const std::int64_t bands = parts / kBandParts + 1;
+      const std::int64_t bands = parts / band_parts_ + 1;
       const std::int64_t height = (all_.last - all_.first) / bands + 1;
       wrong_.assign(offsets_.back(), false);
       for (std::int64_t row = all_.first; row <= all_.last; row += height) {
@@ -190,9 +193,6 @@ class ArcCrossings {
   }
 
  private:
-  /// Parts of a band on the average.
-  static constexpr std::int64_t kBandParts = 1 << 16;
-
   [[nodiscard]] std::int64_t cell_of(double v) const {
     return static_cast<std::int64_t>(std::floor(v / cell_));
   }
@@ -399,6 +399,7 @@ class ArcCrossings {
   std::span<ArcPath> paths_;
   const std::vector<bool>& closed_;
   double cell_;
+  std::int64_t band_parts_;
   std::vector<Band> rows_;  ///< of each path
   Band all_{std::numeric_limits<std::int64_t>::max(),
             std::numeric_limits<std::int64_t>::min()};
@@ -413,8 +414,9 @@ class ArcCrossings {
 
 std::uint64_t remove_crossing_arcs(std::span<ArcPath> paths,
                                    const std::vector<bool>& closed,
-                                   std::int32_t scale) {
-  return ArcCrossings(paths, closed, scale).run();
+                                   std::int32_t scale,
+                                   std::int64_t band_parts) {
+  return ArcCrossings(paths, closed, scale, band_parts).run();
 }
 
 }  // namespace unstep::reverse

@@ -66,10 +66,12 @@ ArcPath without_arcs(LineVertices vertices);
 /// Puts lines back for arcs that meet other parts of the drawing, but for the
 /// joints of neighbours; and arcs that only touch or come within 2^-10 path
 /// units, to be sure. `paths` without their arcs are not changed. Returns how
-/// many paths were.
+/// many paths were. Works in bands of `band_parts` lines and arcs or so, of
+/// which there is a copy in memory.
 std::uint64_t remove_crossing_arcs(std::span<ArcPath> paths,
                                    const std::vector<bool>& closed,
-                                   std::int32_t scale);
+                                   std::int32_t scale,
+                                   std::int64_t band_parts = 1 << 16);
 
 /// Puts lines back for arcs that cost more than those do.
 void drop_dear_arcs(ArcPath& path, const LinePrice& price);
