@@ -12,9 +12,6 @@ namespace {
 
 /// Rings of more steps are searched from one start.
 constexpr std::size_t kManyStarts = 1024;
-/// Starts of a ring that are tried.
-constexpr std::size_t kStarts = 2;
-constexpr std::size_t kWideStarts = 6;
 
 /// A ring of vertices on the chain, begun at the topmost one.
 LineVertices from_top(LineVertices ring, std::size_t lap) {
@@ -107,14 +104,13 @@ bool same_side(std::int64_t a, std::int64_t b) {
   return (a > 0 && b > 0) || (a < 0 && b < 0);
 }
 
-LineVertices fit_ring(const ChainWalk& chain, PathTolerance tolerance,
-                      const LinePrice& price, bool wide,
-                      const LineVertices& fit) {
+LineVertices fit_ring(CheapSearch& search, const ChainWalk& chain,
+                      PathTolerance tolerance, const LinePrice& price,
+                      std::size_t most_starts, const LineVertices& fit) {
   const LineVertex top = top_of(chain);
   const std::ptrdiff_t row = row_length(chain, top);
-  const std::size_t starts = chain.size() > kManyStarts && !wide ? 1
-                             : wide                              ? kWideStarts
-                                                                 : kStarts;
+  const std::size_t starts =
+      chain.size() > kManyStarts && most_starts <= 2 ? 1 : most_starts;
   LineVertices best;
   std::int64_t best_cost = std::numeric_limits<std::int64_t>::max();
   std::ptrdiff_t tried = -1;
@@ -132,7 +128,7 @@ LineVertices fit_ring(const ChainWalk& chain, PathTolerance tolerance,
         static_cast<std::int32_t>(std::abs(along)) * std::abs(chain.delta(0).x);
     const LineVertex start{static_cast<std::size_t>(index),
                            {top.at.x + shift, top.at.y}};
-    CheapSearch search(chain, tolerance, price);
+    search.begin(chain, price);
     search.set_top(start.at);
     LineVertices path{start};
     const auto cost =
@@ -147,17 +143,18 @@ LineVertices fit_ring(const ChainWalk& chain, PathTolerance tolerance,
 
 }  // namespace
 
-LineVertices fit_cheap_lines(const ChainWalk& chain, PathTolerance tolerance,
-                             const LinePrice& price, bool wide) {
+LineVertices fit_cheap_lines(CheapSearch& search, const ChainWalk& chain,
+                             PathTolerance tolerance, const LinePrice& price,
+                             std::size_t starts) {
   LineVertices fit = fit_lines(chain, tolerance);
   if (fit.size() <= 2) return fit;
   if (chain.closed()) {
     if (chain.size() <= kSpeckSteps || fit.size() <= 3) {
       return from_top(std::move(fit), chain.size());
     }
-    return fit_ring(chain, tolerance, price, wide, fit);
+    return fit_ring(search, chain, tolerance, price, starts, fit);
   }
-  CheapSearch search(chain, tolerance, price);
+  search.begin(chain, price);
   LineVertices path{fit.front()};
   return lay(fit, search, false, path) ? path : fit;
 }
