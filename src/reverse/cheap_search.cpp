@@ -14,11 +14,16 @@ using vectors::Vec;
 __extension__ using Wide = __int128;
 
 /// Vertices lie beside corners of the chain and so many steps from them: along
-/// a straight run one is as good as another.
+/// a straight run one is as good as another. From this tolerance on, those of
+/// corners are enough.
 constexpr std::size_t kBesideCorner = 1;
+constexpr std::int64_t kCornersAlone = 3;
 /// Nodes that cost so much more than the cheapest of the next kAhead
-/// candidates are given up.
-constexpr std::int32_t kMargin = 5 * LinePrice::kBit / 2;
+/// candidates are given up; with a choice of many vertices, from kManyPlaces
+/// on, fewer bits will do.
+constexpr std::int32_t kMargin = 3 * LinePrice::kBit;
+constexpr std::int32_t kSmallMargin = 3 * LinePrice::kBit / 2;
+constexpr std::size_t kManyPlaces = 13;
 constexpr std::size_t kAhead = 24;
 /// Candidates before and after one that may have its vertices instead.
 constexpr std::size_t kShared = 4;
@@ -34,7 +39,7 @@ std::int64_t squared(const Vec& v) { return v.x * v.x + v.y * v.y; }
 std::vector<Point> spread(PathTolerance tolerance) {
   const std::int64_t e = tolerance.fixed;
   const std::int64_t units = e >> PathTolerance::kBits;
-  const std::int64_t spacing = std::max<std::int64_t>(1, (units + 1) / 2);
+  const std::int64_t spacing = std::max<std::int64_t>(1, (units + 1) / 3);
   std::vector<Point> places{{0, 0}};
   for (std::int64_t y = -2 * spacing; y <= 2 * spacing; y += spacing) {
     for (std::int64_t x = -2 * spacing; x <= 2 * spacing; x += spacing) {
@@ -50,7 +55,12 @@ std::vector<Point> spread(PathTolerance tolerance) {
 }  // namespace
 
 CheapSearch::CheapSearch(PathTolerance tolerance)
-    : cone_(tolerance), places_(spread(tolerance)) {
+    : cone_(tolerance),
+      places_(spread(tolerance)),
+      margin_(places_.size() < kManyPlaces ? kMargin : kSmallMargin),
+      beside_(tolerance.fixed >> PathTolerance::kBits < kCornersAlone
+                  ? kBesideCorner
+                  : 0) {
   cone_.keep_roots();
   for (const Point& place : places_) reach_ = std::max(reach_, place.x);
 }
@@ -69,8 +79,8 @@ void CheapSearch::find_candidates(const LineVertex& first, std::size_t last) {
     const bool end = i == first.index || i == last;
     const bool corner = !end && !chain_->straight_at(i);
     bool near = end || corner || i <= beside;
-    if (corner) beside = i + kBesideCorner;
-    for (std::size_t k = 1; !near && k <= kBesideCorner && i + k < last; ++k) {
+    if (corner) beside = i + beside_;
+    for (std::size_t k = 1; !near && k <= beside_ && i + k < last; ++k) {
       near = !chain_->straight_at(i + k);
     }
     if (near) candidates_.push_back({i, at, corner, 1, 0});
@@ -80,8 +90,7 @@ void CheapSearch::find_candidates(const LineVertex& first, std::size_t last) {
 }
 
 /// Of vertices at the same point, beside several candidates, only that beside
-/// the nearest one is kept, the first of them: the others would be the same
-/// vertex again. That leaves half of them at e = 1, a fifth at e = 2.
+/// the nearest one is kept: the others would be the same vertex again.
 void CheapSearch::share_places() {
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
     Candidate& candidate = candidates_[k];
@@ -95,12 +104,14 @@ void CheapSearch::share_places() {
 bool CheapSearch::is_nearest(std::size_t k, Point place) const {
   const Point at = moved(candidates_[k].at, place);
   const std::int64_t distance = squared({place.x, place.y});
+  // Of equally near ones all or, if there is much to choose from, the first.
+  const int tie = places_.size() < kManyPlaces ? 0 : 1;
   const std::size_t end = std::min(candidates_.size(), k + kShared + 1);
   for (std::size_t j = k > kShared ? k - kShared : 0; j < end; ++j) {
     const Vec away = vectors::between(candidates_[j].at, at);
     // Farther than any place, and squares of the others are below 2^43.
     if (vectors::size_of(away) > 2 * reach_) continue;
-    if (squared(away) < distance + (j < k ? 1 : 0)) return false;
+    if (squared(away) < distance + (j < k ? tie : 0)) return false;
   }
   return true;
 }
@@ -161,10 +172,10 @@ void CheapSearch::end_at(const Source& from, std::size_t k, std::size_t place,
     return;
   }
   to = {cost, from.node, line};
-  if (cost + kMargin >= candidate.bound) return;
+  if (cost + margin_ >= candidate.bound) return;
   for (std::size_t j = k + 1; j-- > 0 && j + kAhead > k;) {
     std::int32_t& bound = candidates_[first_ + j].bound;
-    bound = std::min(bound, cost + kMargin);
+    bound = std::min(bound, cost + margin_);
   }
 }
 

@@ -70,6 +70,8 @@ class CheapSearch {
 
   Cone cone_;
   std::vector<Point> places_;  ///< of a vertex beside the chain; 0 0 is first
+  std::int32_t margin_;        ///< what may be dearer than the cheapest
+  std::size_t beside_;         ///< steps from a corner to a candidate
   std::int32_t reach_ = 0;     ///< the largest component of places
   const ChainWalk* chain_ = nullptr;
   const LinePrice* price_ = nullptr;

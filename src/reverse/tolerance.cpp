@@ -92,11 +92,11 @@ bool is_cheap(const ToleranceOptions& options) {
 /// Starts of rings that are tried.
 constexpr std::size_t kStarts = 2;
 constexpr std::size_t kWideStarts = 6;
-/// Drawings of fewer steps say little that LinePrice does not know.
+/// Of drawings of fewer steps one pass says enough.
 constexpr std::size_t kFewSteps = 10000;
 /// Prices are learned from one chain of so many at least, and from about so
 /// many steps at most.
-constexpr std::size_t kLeastApart = 4;
+constexpr std::size_t kLeastApart = 8;
 constexpr std::size_t kLearnedSteps = 1 << 16;
 
 /// Prices of what lines usually are and what they are here. Some of the chains
@@ -105,13 +105,19 @@ void learn_prices(std::span<const ChainWalk> chains, PathTolerance tolerance,
                   reverse::CheapSearch& search, reverse::LinePrice& price) {
   std::size_t steps = 0;
   for (const ChainWalk& chain : chains) steps += chain.size();
-  if (steps < kFewSteps) return;
+  if (steps < kFewSteps) {
+    for (const ChainWalk& chain : chains) {
+      if (chain.closed() && chain.size() <= reverse::kSpeckSteps) continue;
+      price.count(reverse::fit_lines(chain, tolerance), chain.closed());
+    }
+    price.settle();
+    return;
+  }
   const std::size_t apart = std::max(kLeastApart, steps / kLearnedSteps);
   for (std::size_t round = 0; round < 2; ++round) {
     reverse::LinePrice learned;
     for (std::size_t i = round; i < chains.size(); i += apart) {
       const ChainWalk& chain = chains[i];
-      if (chain.closed() && chain.size() <= reverse::kSpeckSteps) continue;
       learned.count(
           reverse::fit_cheap_lines(search, chain, tolerance, price, 1),
           chain.closed());
