@@ -27,6 +27,8 @@ constexpr std::size_t kManyPlaces = 13;
 constexpr std::size_t kAhead = 24;
 /// Candidates before and after one that may have its vertices instead.
 constexpr std::size_t kShared = 4;
+/// Steps that a line may stand for, where a chain winds in one place.
+constexpr std::size_t kLongest = 4 * kCheapLine;
 constexpr std::int32_t kUnreached =
     std::numeric_limits<std::int32_t>::max() / 2;
 
@@ -131,9 +133,11 @@ void CheapSearch::extend(std::size_t i, std::size_t place) {
       price_->after(i == 0 ? before_ : Vec{node.in.x, node.in.y})};
   // So near, lines to one candidate differ too much for LinePrice::least.
   const std::int32_t near = 4 * reach_;
+  const std::size_t farthest = candidates_[first_ + i].index + kLongest;
   cone_.restart();
   for (std::size_t k = i + 1; k < count_; ++k) {
     const Candidate& candidate = candidates_[first_ + k];
+    if (candidate.index > farthest) return;
     const Point offset{candidate.at.x - from.at.x, candidate.at.y - from.at.y};
     if (ends_ && k + 1 == count_) {
       end_at(from, k, 0, from.cost);

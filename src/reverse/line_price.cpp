@@ -74,7 +74,9 @@ constexpr std::array<std::int32_t, 26> kMinors = [] {
     // A third of the sizes from 2^(k / 2) or 1.5 times that.
     const auto whole = static_cast<std::int32_t>(k / 2);
     bits[k] =
-        LinePrice::kBit * (k % 2 == 0 ? 2 * whole - 4 : 2 * whole - 3) / 2;
+        LinePrice::kBit *
+        std::max<std::int32_t>(0, k % 2 == 0 ? 2 * whole - 5 : 2 * whole - 4) /
+        2;
   }
   return bits;
 }();
