@@ -11,7 +11,7 @@ namespace unstep::reverse {
 namespace {
 
 /// Rings of more steps are searched from one start.
-constexpr std::size_t kManyStarts = 1024;
+constexpr std::size_t kManyStarts = 256;
 
 /// Rings of so few steps must keep some ink.
 constexpr std::size_t kSmallRing = 24;
