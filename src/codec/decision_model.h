@@ -10,32 +10,38 @@
 #include "codec/context.h"
 #include "entropy/counter.h"
 #include "entropy/mixer.h"
+#include "entropy/refiner.h"
 
 namespace unstep::codec {
 
 /// Predicts binary decisions from kContexts contexts. The value of each
 /// context is set once for a whole number; every decision of the number has a
 /// node of its own. A context and a node together name a counter of a table
-/// without checks.
-template <std::size_t kContexts>
+/// without checks. The mixer has kSets sets of weights; `kRefined`: what it
+/// says is averaged with what followed where it said the same, under each of
+/// the first two selectors.
+template <std::size_t kContexts, std::size_t kSets = 2, bool kRefined = false>
 class DecisionModel {
  public:
   static constexpr std::size_t kInputs = (2 * kContexts + 1 + 7) / 8 * 8;
   static constexpr std::size_t kSelectors = 1024;  ///< of each set
   using Weights = std::array<std::int16_t, kInputs>;
+  using Selectors = std::array<std::uint32_t, kSets>;
   using Values = std::array<std::uint64_t, kContexts>;
 
   DecisionModel(int table_bits, std::span<const Weights> initial)
       : table_bits_(table_bits),
         counters_(kContexts << table_bits),
-        mixer_({kSelectors, kSelectors}, initial) {}
+        mixer_(all_selectors(), initial) {
+    if constexpr (kRefined) refiners_.assign(2, entropy::Refiner(kSelectors));
+  }
 
   void set_contexts(const Values& values) { values_ = values; }
 
   /// `selectors` are taken modulo kSelectors.
   template <class Coder>
   bool code(Coder& coder, bool bit, std::uint32_t node,
-            const std::array<std::uint32_t, 2>& selectors) {
+            const Selectors& selectors) {
     auto& inputs = mixer_.inputs();
     std::array<entropy::Counter*, kContexts> active{};
     for (std::size_t i = 0; i < kContexts; ++i) {
@@ -47,9 +53,19 @@ class DecisionModel {
           static_cast<std::int16_t>(((c.p - 32768) * kTrust[c.n]) >> 16);
     }
     inputs[2 * kContexts] = 77;
-    const int x =
-        mixer_.mix({selectors[0] % kSelectors, selectors[1] % kSelectors});
-    bit = coder.code(bit, std::clamp(entropy::squash(x), 8, 65528));
+    std::array<std::size_t, kSets> chosen{};
+    for (std::size_t s = 0; s < kSets; ++s) {
+      chosen[s] = selectors[s] % kSelectors;
+    }
+    const int x = mixer_.mix(chosen);
+    int p = entropy::squash(x);
+    if constexpr (kRefined) {
+      p = (2 * p + refiners_[0].refine(x, chosen[0]) +
+           refiners_[1].refine(x, chosen[1])) /
+          4;
+    }
+    bit = coder.code(bit, std::clamp(p, 8, 65528));
+    for (entropy::Refiner& refiner : refiners_) refiner.learn(bit);
     mixer_.update(bit);
     for (entropy::Counter* c : active) c->update(bit);
     return bit;
@@ -60,12 +76,19 @@ class DecisionModel {
   [[nodiscard]] entropy::Counter& counter(std::size_t i, std::uint32_t index) {
     return counters_[(i << table_bits_) + (index >> (16 - table_bits_))];
   }
-  [[nodiscard]] entropy::Mixer<kInputs, 2>& mixer() { return mixer_; }
+  [[nodiscard]] entropy::Mixer<kInputs, kSets>& mixer() { return mixer_; }
 
  private:
+  static constexpr std::array<std::size_t, kSets> all_selectors() {
+    std::array<std::size_t, kSets> all{};
+    all.fill(kSelectors);
+    return all;
+  }
+
   int table_bits_;
   std::vector<entropy::Counter> counters_;
-  entropy::Mixer<kInputs, 2> mixer_;
+  entropy::Mixer<kInputs, kSets> mixer_;
+  std::vector<entropy::Refiner> refiners_;
   Values values_{};
 };
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "entropy/counter.h"
 
@@ -34,6 +35,28 @@ class NumberModel {
     return v - 1;
   }
 
+  /// Starts with what numbers of other drawings were like, in 256ths: how often
+  /// v + 1 has more than 1, 2, .. binary digits, and how often the digit is 1
+  /// after 1, if there are two digits; after 1, 10, 11, if three; after 1, 10,
+  /// 11, 100, .. 111, if four.
+  void expect(std::span<const std::uint8_t> widths,
+              std::span<const std::uint8_t> digits) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      widths_[i + 1] = expected(widths[i]);
+    }
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+      // 1; 1, 2, 3; 1 .. 7: what stands before a digit, by length.
+      const std::size_t width = i < 1 ? 2 : i < 4 ? 3 : 4;
+      const std::size_t first = i < 1 ? 0 : i < 4 ? 1 : 4;
+      leading_[width * 8 + 1 + i - first] = expected(digits[i]);
+    }
+  }
+
+  /// A counter that has seen 4 bits, of which `p` / 256 were 1.
+  static entropy::Counter expected(std::uint8_t p) {
+    return {static_cast<std::uint16_t>(p * 256), 4};
+  }
+
   template <class Coder>
   static bool decide(Coder& coder, entropy::Counter& counter, bool bit) {
     const bool coded = coder.code(bit, counter.p1());
@@ -49,6 +72,13 @@ class NumberModel {
 /// Numbers of either sign: the size, then the sign if there is one.
 class SignedNumberModel {
  public:
+  /// The same for sizes; `negative` as often.
+  void expect(std::span<const std::uint8_t> widths,
+              std::span<const std::uint8_t> digits, std::uint8_t negative) {
+    size_.expect(widths, digits);
+    sign_ = NumberModel::expected(negative);
+  }
+
   template <class Coder>
   std::int64_t code(Coder& coder, std::int64_t value) {
     const auto size = static_cast<std::uint64_t>(value < 0 ? -value : value);

@@ -16,6 +16,15 @@ namespace unstep::codec {
 /// Predicts everything of a path but its elements.
 class PathHeadModel {
  public:
+  PathHeadModel() {
+    closed_[1] = NumberModel::expected(250);
+    new_width_ = NumberModel::expected(6);
+    for (auto& sets : elements_) {
+      for (NumberModel& set : sets) set.expect(kElementWidths, kElementDigits);
+    }
+    for (SignedNumberModel& set : turns_) set.expect(kTurnWidths, {}, 128);
+  }
+
   /// `model` codes where the path starts. `left`: the elements that
   /// are left of the payload. `last`: it is the last path and has all of them.
   /// The result is what was coded, not checked.
@@ -40,6 +49,12 @@ class PathHeadModel {
   [[nodiscard]] bool outside() const { return outside_; }
 
  private:
+  static constexpr std::array<std::uint8_t, 9> kElementWidths{
+      252, 252, 131, 94, 74, 84, 105, 99, 128};
+  static constexpr std::array<std::uint8_t, 1> kTurnWidths{40};
+  static constexpr std::array<std::uint8_t, 11> kElementDigits{
+      128, 92, 218, 102, 88, 111, 127, 155, 124, 161, 125};
+
   static bool in_range(std::int64_t coordinate) {
     return coordinate >= -kMaxCoord && coordinate <= kMaxCoord;
   }

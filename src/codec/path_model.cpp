@@ -3,7 +3,9 @@
 namespace unstep::codec {
 
 PathModel::PathModel()
-    : starts_(kPathTableBits), vectors_(kPathTableBits, vertices_) {}
+    : starts_(kPathTableBits), vectors_(kPathTableBits, vertices_) {
+  starts_.expect_rows();
+}
 
 void PathModel::begin(const PathHead& head) {
   head_ = head;

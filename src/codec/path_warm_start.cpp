@@ -56,7 +56,7 @@ void apply_weights(std::string_view text, VectorModel& model) {
   Text in(text);
   while (!in.done()) {
     auto& decisions = model.decisions()[in.next(1) % 3];
-    const std::size_t set = in.next(1) % 2;
+    const std::size_t set = in.next(1) % VectorModel::kSets;
     const unsigned vector = in.next(2);
     VectorModel::Decisions::Weights weights{};
     for (std::size_t i = 0; i < kWeights; ++i) {
@@ -68,7 +68,7 @@ void apply_weights(std::string_view text, VectorModel& model) {
       continue;
     }
     for (std::size_t k = 0; k < VectorModel::Decisions::kSelectors; ++k) {
-      for (const std::size_t s : {0U, 1U}) {
+      for (std::size_t s = 0; s < VectorModel::kSets; ++s) {
         decisions.mixer().set_weights(s, k, weights, 0);
       }
     }

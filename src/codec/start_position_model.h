@@ -36,6 +36,13 @@ class StartPositionModel {
 
   explicit StartPositionModel(int table_bits);
 
+  /// Starts are in the order of their rows, as contours of a drawing are.
+  void expect_rows() {
+    for (std::size_t i = 0; i < down_.size(); ++i) {
+      down_[i].expect(kDownWidths[i], kDownDigits, 1);
+    }
+  }
+
   /// What holds for all starts, coded first.
   template <class Coder>
   void code_frame(Coder& coder, const StartFrame& frame) {
@@ -74,6 +81,15 @@ class StartPositionModel {
   [[nodiscard]] Decisions& decisions() { return decisions_; }
 
  private:
+  static constexpr std::array<std::array<std::uint8_t, 8>, 4> kDownWidths{{
+      {184, 174, 178, 170, 183, 141, 50, 19},
+      {195, 177, 149, 140, 97, 79, 81, 57},
+      {195, 185, 183, 176, 124, 97, 73, 62},
+      {203, 223, 234, 230, 106, 178, 101, 33},
+  }};
+  static constexpr std::array<std::uint8_t, 11> kDownDigits{
+      66, 111, 110, 112, 92, 110, 97, 110, 105, 103, 120};
+
   std::array<std::uint32_t, 2> set_contexts(const DensityGrid& density,
                                             std::int64_t low, int level,
                                             std::int64_t y, bool same_row);

@@ -76,6 +76,9 @@ int VectorModel::relative_fine(const Vec& v) const {
 
 void VectorModel::look_around(const VectorPlace& place) {
   arc_ = place.arc;
+  stage_ = static_cast<std::uint32_t>(
+      8 * (place.closed ? std::min<std::uint64_t>(place.left, 7) : 0) +
+      std::min<std::uint64_t>(place.index, 7));
   bend_ = {};
   if (!place.tangent.zero()) {
     bend_ = shortened(place.tangent, 24);

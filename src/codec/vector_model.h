@@ -30,7 +30,8 @@ struct VectorPlace {
 class VectorModel {
  public:
   static constexpr std::size_t kContexts = 18;
-  using Decisions = DecisionModel<kContexts>;
+  static constexpr std::size_t kSets = 3;  ///< of weights
+  using Decisions = DecisionModel<kContexts, kSets, true>;
 
   VectorModel(int table_bits, const VertexMemory& vertices);
 
@@ -79,7 +80,7 @@ class VectorModel {
   bool decide(Coder& coder, Part part, bool bit, std::uint32_t node,
               std::uint32_t first, std::uint32_t second) {
     return decisions_[part].code(coder, bit, node + (arc_ ? 0x10000U : 0U),
-                                 {first, second});
+                                 {first, second, stage_});
   }
 
   template <class Coder>
@@ -210,6 +211,7 @@ class VectorModel {
   Vec offset_;    ///< to the nearest vertex
   int near_ = 0;  ///< 0 none, 1.. how near
   Parallel parallel_;
+  std::uint32_t stage_ = 0;  ///< how far the path is
   std::uint32_t turn_selector_ = 0;
   std::uint32_t length_selector_ = 0;
   std::uint32_t minor_selector_ = 0;

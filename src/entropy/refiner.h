@@ -17,7 +17,9 @@ class Refiner {
   explicit Refiner(std::size_t contexts) : counters_(contexts * kNodes) {
     for (std::size_t i = 0; i < counters_.size(); ++i) {
       const int x = static_cast<int>(i % kNodes) * kApart - kReach;
-      counters_[i] = {static_cast<std::uint16_t>(squash(x)), kAge};
+      counters_[i] = i < kNodes
+                         ? Counter{static_cast<std::uint16_t>(squash(x)), kAge}
+                         : counters_[i - kNodes];
     }
   }
 

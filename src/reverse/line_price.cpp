@@ -1,7 +1,9 @@
 #include "reverse/line_price.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <limits>
 #include <string_view>
 
 #include "reverse/line_price_prior.h"
@@ -49,8 +51,9 @@ void price_all(const std::uint32_t* counts, std::size_t n, std::int32_t* prices,
                More more) {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < n; ++i) sum += counts[i] + kTrace;
+  const std::int32_t all = log2_parts(sum);
   for (std::size_t i = 0; i < n; ++i) {
-    prices[i] = log2_parts(sum) - log2_parts(counts[i] + kTrace) + more(i);
+    prices[i] = all - log2_parts(counts[i] + kTrace) + more(i);
   }
 }
 
@@ -63,6 +66,21 @@ std::int32_t bits_within(std::size_t length_class) {
   return length_class < 4 ? 0 : static_cast<std::int32_t>(length_class / 2) - 1;
 }
 
+/// What the smaller component of a class of length costs at least, off the
+/// axes.
+constexpr std::array<std::int32_t, 26> kMinors = [] {
+  std::array<std::int32_t, 26> bits{};
+  for (std::size_t k = 4; k < bits.size(); ++k) {
+    // A third of the sizes from 2^(k / 2) or 1.5 times that.
+    const auto whole = static_cast<std::int32_t>(k / 2);
+    bits[k] =
+        LinePrice::kBit *
+        std::max<std::int32_t>(0, k % 2 == 0 ? 2 * whole - 5 : 2 * whole - 4) /
+        2;
+  }
+  return bits;
+}();
+
 }  // namespace
 
 LinePrice::LinePrice()
@@ -70,7 +88,8 @@ LinePrice::LinePrice()
       turn_counts_(kSlopes * kSizes * kTurns),
       length_counts_(kFoldedTurns * kRow),
       turn_prices_(turn_counts_.size()),
-      length_prices_(length_counts_.size()) {
+      length_prices_(length_counts_.size()),
+      tables_(kPlaces) {
   read_counts(prior::kTurns, turn_counts_);
   read_counts(prior::kLengths, length_counts_);
   settle();
@@ -82,7 +101,8 @@ LinePrice::Shape LinePrice::measured(const Vec& v) {
   const vectors::MinorRange range = vectors::minor_range(direction % 7, size);
   const std::int64_t choices =
       std::max<std::int64_t>(1, range.high - range.low + 1);
-  return {log2_parts(static_cast<std::uint64_t>(choices)),
+  return {static_cast<std::int16_t>(
+              log2_parts(static_cast<std::uint64_t>(choices))),
           static_cast<std::uint8_t>(direction),
           static_cast<std::uint8_t>(
               std::min<int>(vectors::length_class(size), kLengths - 1))};
@@ -102,15 +122,14 @@ const std::vector<LinePrice::Shape>& LinePrice::small_shapes() {
 }
 
 LinePrice::Place LinePrice::place_after(const Vec& before) {
-  if (before.zero()) return {(kSlopes - 1) * kSizes * kTurns, 0, 0};
+  if (before.zero()) return {kSlopes - 1, 0, 0, 0};
   const int direction = vectors::direction_of(before);
   const std::int64_t size = vectors::size_of(before);
-  const auto slope = static_cast<std::size_t>(direction % 7);
-  const auto length = static_cast<std::size_t>(
-      std::min(vectors::length_class(size) / 2, static_cast<int>(kBefore) - 1));
-  return {
-      (slope * kSizes + static_cast<std::size_t>(size_class(size))) * kTurns,
-      length * kLengths, direction};
+  return {static_cast<std::size_t>(direction % 7),
+          static_cast<std::size_t>(size_class(size)),
+          static_cast<std::size_t>(std::min(vectors::length_class(size) / 2,
+                                            static_cast<int>(kBefore) - 1)),
+          direction};
 }
 
 void LinePrice::count(const LineVertices& path, bool closed) {
@@ -123,8 +142,8 @@ void LinePrice::count(const LineVertices& path, bool closed) {
     const int turn = (s.direction - place.direction + vectors::kDirections) %
                      vectors::kDirections;
     const auto t = static_cast<std::size_t>(turn);
-    turn_counts_[place.turns + t] += kUnit;
-    length_counts_[folded(t) * kRow + place.lengths + s.length] += kUnit;
+    turn_counts_[place.turns() + t] += kUnit;
+    length_counts_[folded(t) * kRow + place.lengths() + s.length] += kUnit;
     before = v;
   }
 }
@@ -138,12 +157,51 @@ void LinePrice::settle() {
     price_all(&length_counts_[i], kLengths, &length_prices_[i],
               [](std::size_t k) { return kBit * bits_within(k); });
   }
+  for (Table& table : tables_) table.entries.clear();
+}
+
+LinePrice::Table LinePrice::table_of(const Place& place) const {
+  constexpr std::int16_t kNone = std::numeric_limits<std::int16_t>::max();
+  Table table{std::vector<Entry>(kTurns * kLengths), kNone};
+  // Of each turn and length what is least for the lengths beside it.
+  std::array<std::int16_t, kTurns * kLengths> least{};
+  for (std::size_t turn = 0; turn < kTurns; ++turn) {
+    const bool axis = (place.slope + turn) % 7 == 0;
+    const std::int32_t turned = turn_prices_[place.turns() + turn];
+    const std::int32_t* const lengths =
+        &length_prices_[folded(turn) * kRow + place.lengths()];
+    std::array<std::int16_t, kLengths + 2> row{};
+    row.fill(kNone);
+    for (std::size_t k = 0; k < kLengths; ++k) {
+      const std::int32_t price = turned + lengths[k];
+      table.entries[turn * kLengths + k].price =
+          static_cast<std::int16_t>(price);
+      row[k + 1] = static_cast<std::int16_t>(price + (axis ? 0 : kMinors[k]));
+    }
+    for (std::size_t k = 0; k < kLengths; ++k) {
+      least[turn * kLengths + k] = std::min({row[k], row[k + 1], row[k + 2]});
+      table.least = std::min<std::int32_t>(table.least, row[k + 1]);
+    }
+  }
+  // A vector changed by a quarter is at most two classes of direction away.
+  for (std::size_t turn = 0; turn < kTurns; ++turn) {
+    for (std::size_t k = 0; k < kLengths; ++k) {
+      std::int16_t& result = table.entries[turn * kLengths + k].least;
+      result = kNone;
+      for (std::size_t near = turn + kTurns - 2; near <= turn + kTurns + 2;
+           ++near) {
+        result = std::min(result, least[near % kTurns * kLengths + k]);
+      }
+    }
+  }
+  return table;
 }
 
 LinePrice::Context LinePrice::after(const Vec& before) const {
   const Place place = place_after(before);
-  return {&turn_prices_[place.turns], &length_prices_[place.lengths],
-          place.direction};
+  Table& table = tables_[place.number()];
+  if (table.entries.empty()) table = table_of(place);
+  return {table.entries.data(), place.direction, table.least};
 }
 
 }  // namespace unstep::reverse

@@ -18,11 +18,17 @@ class LinePrice {
   static constexpr std::int32_t kBit = 32;    ///< prices are in parts of a bit
   static constexpr std::uint32_t kUnit = 64;  ///< one line, counted
 
+  /// Prices of a turn and a class of length.
+  struct Entry {
+    std::int16_t price = 0;  ///< without the smaller component
+    std::int16_t least = 0;  ///< of all lines nearly the same
+  };
+
   /// What a price depends on: the line before.
   struct Context {
-    const std::int32_t* turns = nullptr;
-    const std::int32_t* lengths = nullptr;
+    const Entry* entries = nullptr;
     int direction = 0;
+    std::int32_t least = 0;  ///< no line costs less
   };
 
   /// Prices of lines of any drawing.
@@ -49,11 +55,14 @@ class LinePrice {
   [[nodiscard]] std::int32_t operator()(const Context& context, std::int32_t x,
                                         std::int32_t y) const {
     const Shape s = shape(x, y);
-    int turn = s.direction - context.direction;
-    if (turn < 0) turn += vectors::kDirections;
-    const auto t = static_cast<std::size_t>(turn);
-    return context.turns[t] + s.minor +
-           context.lengths[folded(t) * kRow + s.length];
+    return entry(context, s).price + s.minor;
+  }
+
+  /// No line costs less whose components differ from these by at most a
+  /// quarter of the larger. REQUIRES: as above.
+  [[nodiscard]] std::int32_t least(const Context& context, std::int32_t x,
+                                   std::int32_t y) const {
+    return entry(context, shape(x, y)).least;
   }
 
  private:
@@ -64,6 +73,7 @@ class LinePrice {
   static constexpr std::size_t kBefore = 8;    ///< of its length, for lengths
   static constexpr std::size_t kLengths = 26;  ///< classes; longer are the last
   static constexpr std::size_t kRow = kBefore * kLengths;
+  static constexpr std::size_t kPlaces = kSlopes * kSizes * kBefore;
   /// Vectors whose components are at most this are looked up.
   static constexpr std::int32_t kSmall = 40;
   static constexpr std::int32_t kSide = 2 * kSmall + 1;
@@ -75,7 +85,7 @@ class LinePrice {
 
   /// What the price of a line needs of it.
   struct Shape {
-    std::int32_t minor = 0;  ///< the price of its smaller component
+    std::int16_t minor = 0;  ///< the price of its smaller component
     std::uint8_t direction = 0;
     std::uint8_t length = 0;
   };
@@ -89,12 +99,34 @@ class LinePrice {
                                          : measured({x, y});
   }
 
+  [[nodiscard]] static const Entry& entry(const Context& context,
+                                          const Shape& s) {
+    int turn = s.direction - context.direction;
+    if (turn < 0) turn += vectors::kDirections;
+    return context
+        .entries[static_cast<std::size_t>(turn) * kLengths + s.length];
+  }
+
   /// Where a line after `before` is counted and priced.
   struct Place {
-    std::size_t turns;
-    std::size_t lengths;
+    std::size_t slope;
+    std::size_t size;
+    std::size_t length;
     int direction;
+
+    [[nodiscard]] std::size_t turns() const {
+      return (slope * kSizes + size) * kTurns;
+    }
+    [[nodiscard]] std::size_t lengths() const { return length * kLengths; }
+    [[nodiscard]] std::size_t number() const {
+      return (slope * kSizes + size) * kBefore + length;
+    }
   };
+  struct Table {
+    std::vector<Entry> entries;
+    std::int32_t least = 0;
+  };
+  [[nodiscard]] Table table_of(const Place& place) const;
   static Place place_after(const vectors::Vec& before);
 
   const Shape* small_;
@@ -102,6 +134,7 @@ class LinePrice {
   std::vector<std::uint32_t> length_counts_;
   std::vector<std::int32_t> turn_prices_;
   std::vector<std::int32_t> length_prices_;
+  mutable std::vector<Table> tables_;  ///< of each place once it is asked for
 };
 
 }  // namespace unstep::reverse

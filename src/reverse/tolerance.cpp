@@ -89,35 +89,58 @@ bool is_cheap(const ToleranceOptions& options) {
   return options.aim == LineAim::few_bytes && options.effort != Effort::fast;
 }
 
-/// Lines that cost few bits: priced by what one pass finds here and what lines
-/// usually are.
+/// Starts of rings that are tried.
+constexpr std::size_t kStarts = 2;
+constexpr std::size_t kWideStarts = 6;
+/// Of drawings of fewer steps one pass says enough.
+constexpr std::size_t kFewSteps = 10000;
+/// Prices are learned from one chain of so many at least, and from about so
+/// many steps at most.
+constexpr std::size_t kLeastApart = 8;
+constexpr std::size_t kLearnedSteps = 1 << 16;
+
+/// Prices of what lines usually are and what they are here. Some of the chains
+/// are searched for that, and some again by these prices.
+void learn_prices(std::span<const ChainWalk> chains, PathTolerance tolerance,
+                  reverse::CheapSearch& search, reverse::LinePrice& price) {
+  std::size_t steps = 0;
+  for (const ChainWalk& chain : chains) steps += chain.size();
+  if (steps < kFewSteps) {
+    for (const ChainWalk& chain : chains) {
+      if (chain.closed() && chain.size() <= reverse::kSpeckSteps) continue;
+      price.count(reverse::fit_lines(chain, tolerance), chain.closed());
+    }
+    price.settle();
+    return;
+  }
+  const std::size_t apart = std::max(kLeastApart, steps / kLearnedSteps);
+  for (std::size_t round = 0; round < 2; ++round) {
+    reverse::LinePrice learned;
+    for (std::size_t i = round; i < chains.size(); i += apart) {
+      const ChainWalk& chain = chains[i];
+      learned.count(
+          reverse::fit_cheap_lines(search, chain, tolerance, price, 1),
+          chain.closed());
+    }
+    price = std::move(learned);
+    price.settle();
+  }
+}
+
+/// Lines that cost few bits.
 std::vector<LineVertices> fit_cheap(std::span<const ChainWalk> chains,
                                     const ToleranceOptions& options,
                                     reverse::LinePrice& price) {
   const PathTolerance tolerance = in_path_units(options.tolerance);
   const bool wide = options.effort == Effort::max;
-  for (const ChainWalk& chain : chains) {
-    if (chain.closed() && chain.size() <= reverse::kSpeckSteps) continue;
-    price.count(reverse::fit_lines(chain, tolerance), chain.closed());
-  }
-  price.settle();
+  reverse::CheapSearch search(tolerance);
+  learn_prices(chains, tolerance, search, price);
   std::vector<LineVertices> lines;
-  for (int round = 0; round < (wide ? 3 : 2); ++round) {
-    if (round > 0) {
-      price = reverse::LinePrice();
-      for (std::size_t i = 0; i < chains.size(); ++i) {
-        const bool ring = chains[i].closed();
-        if (ring && chains[i].size() <= reverse::kSpeckSteps) continue;
-        price.count(lines[i], ring);
-      }
-      price.settle();
-    }
-    lines.clear();
-    lines.reserve(chains.size());
-    for (const ChainWalk& chain : chains) {
-      lines.push_back(reverse::fit_cheap_lines(chain, tolerance, price, wide));
-      lines.back().shrink_to_fit();
-    }
+  lines.reserve(chains.size());
+  for (const ChainWalk& chain : chains) {
+    lines.push_back(reverse::fit_cheap_lines(search, chain, tolerance, price,
+                                             wide ? kWideStarts : kStarts));
+    lines.back().shrink_to_fit();
   }
   return lines;
 }

@@ -11,10 +11,10 @@ namespace unstep::reverse {
 namespace {
 
 /// Rings of more steps are searched from one start.
-constexpr std::size_t kManyStarts = 1024;
-/// Starts of a ring that are tried.
-constexpr std::size_t kStarts = 2;
-constexpr std::size_t kWideStarts = 6;
+constexpr std::size_t kManyStarts = 256;
+
+/// Rings of so few steps must keep some ink.
+constexpr std::size_t kSmallRing = 24;
 
 /// A ring of vertices on the chain, begun at the topmost one.
 LineVertices from_top(LineVertices ring, std::size_t lap) {
@@ -107,14 +107,40 @@ bool same_side(std::int64_t a, std::int64_t b) {
   return (a > 0 && b > 0) || (a < 0 && b < 0);
 }
 
-LineVertices fit_ring(const ChainWalk& chain, PathTolerance tolerance,
-                      const LinePrice& price, bool wide,
-                      const LineVertices& fit) {
+/// Whether the middle of a unit square is inside the ring, so that it has ink.
+/// For small rings.
+bool has_ink(const LineVertices& ring) {
+  const auto [low, high] = std::minmax_element(
+      ring.begin(), ring.end(),
+      [](const LineVertex& a, const LineVertex& b) { return a.at.x < b.at.x; });
+  const auto [top, bottom] = std::minmax_element(
+      ring.begin(), ring.end(),
+      [](const LineVertex& a, const LineVertex& b) { return a.at.y < b.at.y; });
+  for (std::int64_t y = top->at.y; y < bottom->at.y; ++y) {
+    for (std::int64_t x = low->at.x; x < high->at.x; ++x) {
+      bool inside = false;
+      for (std::size_t i = 1; i < ring.size(); ++i) {
+        const Point a = ring[i - 1].at;
+        const Point b = ring[i].at;
+        if ((a.y <= y) == (b.y <= y)) continue;
+        // Which side of the line the middle (x + 1/2, y + 1/2) is on.
+        const std::int64_t side = (2 * x + 1 - 2 * a.x) * (b.y - a.y) -
+                                  (2 * y + 1 - 2 * a.y) * (b.x - a.x);
+        if ((b.y > a.y) == (side < 0)) inside = !inside;
+      }
+      if (inside) return true;
+    }
+  }
+  return false;
+}
+
+LineVertices fit_ring(CheapSearch& search, const ChainWalk& chain,
+                      PathTolerance tolerance, const LinePrice& price,
+                      std::size_t most_starts, const LineVertices& fit) {
   const LineVertex top = top_of(chain);
   const std::ptrdiff_t row = row_length(chain, top);
-  const std::size_t starts = chain.size() > kManyStarts && !wide ? 1
-                             : wide                              ? kWideStarts
-                                                                 : kStarts;
+  const std::size_t starts =
+      chain.size() > kManyStarts && most_starts <= 2 ? 1 : most_starts;
   LineVertices best;
   std::int64_t best_cost = std::numeric_limits<std::int64_t>::max();
   std::ptrdiff_t tried = -1;
@@ -132,13 +158,14 @@ LineVertices fit_ring(const ChainWalk& chain, PathTolerance tolerance,
         static_cast<std::int32_t>(std::abs(along)) * std::abs(chain.delta(0).x);
     const LineVertex start{static_cast<std::size_t>(index),
                            {top.at.x + shift, top.at.y}};
-    CheapSearch search(chain, tolerance, price);
+    search.begin(chain, price);
     search.set_top(start.at);
     LineVertices path{start};
     const auto cost =
         lay(one_pass(chain, tolerance, start), search, true, path);
     if (!cost || *cost >= best_cost) continue;
     if (!same_side(area(path), area(fit))) continue;
+    if (chain.size() <= kSmallRing && !has_ink(path)) continue;
     best_cost = *cost;
     best = std::move(path);
   }
@@ -147,17 +174,19 @@ LineVertices fit_ring(const ChainWalk& chain, PathTolerance tolerance,
 
 }  // namespace
 
-LineVertices fit_cheap_lines(const ChainWalk& chain, PathTolerance tolerance,
-                             const LinePrice& price, bool wide) {
+LineVertices fit_cheap_lines(CheapSearch& search, const ChainWalk& chain,
+                             PathTolerance tolerance, const LinePrice& price,
+                             std::size_t starts) {
   LineVertices fit = fit_lines(chain, tolerance);
   if (fit.size() <= 2) return fit;
   if (chain.closed()) {
-    if (chain.size() <= kSpeckSteps || fit.size() <= 3) {
+    const bool whole = std::abs(chain.delta(0).x) == 1;
+    if (fit.size() <= 3 || (chain.size() <= kSpeckSteps && !whole)) {
       return from_top(std::move(fit), chain.size());
     }
-    return fit_ring(chain, tolerance, price, wide, fit);
+    return fit_ring(search, chain, tolerance, price, starts, fit);
   }
-  CheapSearch search(chain, tolerance, price);
+  search.begin(chain, price);
   LineVertices path{fit.front()};
   return lay(fit, search, false, path) ? path : fit;
 }

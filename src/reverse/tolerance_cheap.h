@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reverse/cheap_search.h"
 #include "reverse/line_price.h"
 #include "reverse/tolerance_lines.h"
 
@@ -17,9 +18,11 @@ namespace unstep::reverse {
 /// windows of kCheapWindow candidates; so time is O(steps * kCheapLine) at
 /// most, and memory small.
 ///
-/// `wide`: more starts of rings are tried.
-LineVertices fit_cheap_lines(const ChainWalk& chain, PathTolerance tolerance,
-                             const LinePrice& price, bool wide);
+/// `search` is for the same tolerance. At most `starts` points of the topmost
+/// row are tried as starts of a ring.
+LineVertices fit_cheap_lines(CheapSearch& search, const ChainWalk& chain,
+                             PathTolerance tolerance, const LinePrice& price,
+                             std::size_t starts);
 
 /// Lines of the one-pass fit that are longer are not searched.
 inline constexpr std::size_t kCheapLine = 256;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "unstep/grid.h"
 
@@ -67,6 +68,15 @@ class Cone {
   static Sides sides_of(Point q, std::int64_t across) {
     const std::int64_t r2 = std::int64_t{q.x} * q.x + std::int64_t{q.y} * q.y;
     return sides_of(q.x, q.y, opening<std::int64_t>(r2, across));
+  }
+
+  /// Keeps the roots of small distances, for a cone that is restarted often.
+  void keep_roots() {
+    roots_.assign(kRoots, 0);
+    for (std::int64_t r2 = near2_ + 1; r2 < kRoots && r2 < fast2_; ++r2) {
+      roots_[static_cast<std::size_t>(r2)] = static_cast<std::int32_t>(
+          opening<std::int64_t>(r2, e_).along);  // below 2^18
+    }
   }
 
   /// Forgets the points; the apex is elsewhere.
@@ -159,9 +169,8 @@ class Cone {
     }
     if (r2 > kReach * kReach) return false;
     if (r2 > near2_ &&
-        !(r2 < fast2_
-              ? narrow<std::int64_t>(x, y, opening<std::int64_t>(r2, e_))
-              : narrow<Wide>(x, y, opening<Wide>(r2, e_)))) {
+        !(r2 < fast2_ ? narrow<std::int64_t>(x, y, opening_of_disc(r2))
+                      : narrow<Wide>(x, y, opening<Wide>(r2, e_)))) {
       return false;
     }
     farthest2_ = r2;
@@ -169,6 +178,7 @@ class Cone {
   }
 
  private:
+  static constexpr std::int64_t kRoots = 1 << 12;
   static constexpr std::int64_t kFastReach2 = std::int64_t{1} << 18;
 
   /// Adjacent and opposite side of half the angle that a disc leaves.
@@ -230,6 +240,13 @@ class Cone {
     return {
         {x * half.along - y * half.across, y * half.along + x * half.across},
         {x * half.along + y * half.across, y * half.along - x * half.across}};
+  }
+
+  /// opening(r2, e).
+  [[nodiscard]] Opening opening_of_disc(std::int64_t r2) const {
+    return r2 < static_cast<std::int64_t>(roots_.size())
+               ? Opening{roots_[static_cast<std::size_t>(r2)], e_}
+               : opening<std::int64_t>(r2, e_);
   }
 
   /// A point at r < the farthest R: the ray's point at t = t(R) is in its disc
@@ -306,8 +323,9 @@ class Cone {
   std::int64_t farthest2_ = 0;
   Vector left_;
   Vector right_;
-  bool bounded_ = false;  ///< the sides are set
-  bool single_ = false;   ///< and are one direction
+  std::vector<std::int32_t> roots_;  ///< for each r^2, if they are kept
+  bool bounded_ = false;             ///< the sides are set
+  bool single_ = false;              ///< and are one direction
 };
 
 }  // namespace unstep::reverse

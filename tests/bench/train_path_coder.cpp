@@ -27,7 +27,7 @@ namespace path_warm = codec::path_warm;
 namespace warm = codec::warm;
 
 constexpr std::size_t kMaxCounters = 18'000;  // 72,000 characters
-constexpr std::size_t kMaxVectors = 160;      // 12,500 characters
+constexpr std::size_t kMaxVectors = 240;      // 19,000 characters
 constexpr double kMaxAge = 30;
 constexpr double kCap = 20;     // observations of one drawing that count
 constexpr double kEnough = 12;  // and for its importance
@@ -182,7 +182,7 @@ class Weights {
     for (unsigned part = 0; part < mixers_.size(); ++part) {
       std::vector<double> mean(path_warm::kWeights);
       double votes = 0;
-      for (const unsigned set : {0U, 1U}) {
+      for (unsigned set = 0; set < VectorModel::kSets; ++set) {
         const auto ages = mixers_[part].ages(set);
         for (unsigned k = 0; k < ages.size(); ++k) {
           if (ages[k] > 0) used.push_back({ages[k], part, set, k});

@@ -79,9 +79,11 @@ TEST(CheapLines, CostFewerBytesThanFewLines) {
 
 TEST(CheapLines, StartRingsAtTheirTopmostVertex) {
   const Drawing chains = contours_in(disc(60, 30));
+  CheapSearch search({4096});
   for (const Chain& chain : chains.chains) {
     const ChainWalk walk(chain, YAxis::down, 1);
-    const LineVertices ring = fit_cheap_lines(walk, {4096}, LinePrice(), false);
+    const LineVertices ring =
+        fit_cheap_lines(search, walk, {4096}, LinePrice(), 2);
     const Point start = ring.front().at;
     for (const LineVertex& vertex : ring) {
       EXPECT_TRUE(vertex.at.y > start.y ||
@@ -110,6 +112,25 @@ TEST(LinePrice, OfLinesThatWereSeenFalls) {
   price.settle();
   EXPECT_LT(now(), before);
   EXPECT_GT(now(), 0);
+}
+
+TEST(LinePrice, OfLinesNearbyIsNotBelowTheLeast) {
+  const LinePrice price;
+  std::mt19937 random(44);
+  std::uniform_int_distribution<std::int32_t> any(-60, 60);
+  for (int i = 0; i < 3000; ++i) {
+    const LinePrice::Context context = price.after({any(random), any(random)});
+    const Point line{any(random), any(random)};
+    const std::int32_t near = std::max(std::abs(line.x), std::abs(line.y)) / 4;
+    if (near == 0) continue;
+    const std::int32_t least = price.least(context, line.x, line.y);
+    for (const std::int32_t y : {-near, 0, near}) {
+      for (const std::int32_t x : {-near, 0, near}) {
+        EXPECT_GE(price(context, line.x + x, line.y + y), least)
+            << line.x << " " << line.y << " " << x << " " << y;
+      }
+    }
+  }
 }
 
 TEST(LinePrice, HoldsAtTheLimitOfCoordinates) {
