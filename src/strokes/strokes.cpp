@@ -3,6 +3,7 @@
 
 #include "strokes/cover.h"
 #include "strokes/pen_set.h"
+#include "strokes/stroke_order.h"
 #include "trace/edge_noise.h"
 #include "trace/skeleton_graph.h"
 #include "trace/skeleton_pruning.h"
@@ -58,7 +59,7 @@ Result<std::vector<Stroke>> trace_all(const Bitmap& scanned,
   strokes::share_pens(strokes);
   const Status covered = strokes::cover_missing(ink, std::move(spots), strokes);
   if (!covered) return covered.error();
-  strokes::sort_down(strokes);
+  strokes::order_strokes(strokes);
   if (progress && !progress(1, 1)) {
     return Error{ErrorCode::cancelled, "cancelled"};
   }
