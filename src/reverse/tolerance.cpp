@@ -85,6 +85,11 @@ LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options,
   return free.size() < fewest.size() ? free : fewest;
 }
 
+bool stay_apart(const ToleranceOptions& options) {
+  return !options.may_cross &&
+         options.tolerance.numerator <= options.tolerance.denominator;
+}
+
 bool is_cheap(const ToleranceOptions& options) {
   return options.aim == LineAim::few_bytes && options.effort != Effort::fast;
 }
@@ -139,7 +144,7 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
       lines.back().shrink_to_fit();
     }
   }
-  if (options.tolerance.numerator <= options.tolerance.denominator) {
+  if (stay_apart(options)) {
     report.refined = reverse::refine_crossings(
         chains, in_path_units(options.tolerance), lines);
   }
@@ -166,8 +171,7 @@ std::vector<ArcPath> add_arcs(std::span<const ChainWalk> chains,
     lines[i] = {};
     if (price) reverse::drop_dear_arcs(paths.back(), *price);
   }
-  if (options.arcs &&
-      options.tolerance.numerator <= options.tolerance.denominator) {
+  if (options.arcs && stay_apart(options)) {
     report.refined += reverse::remove_crossing_arcs(paths, closed, scale);
   }
   return paths;

@@ -112,7 +112,10 @@ class Orderer {
 
   void run() {
     std::vector<std::vector<std::uint32_t>> groups = in_groups();
-    for (const auto& group : groups) lay_out(group);
+    for (std::uint32_t g = 0; g < groups.size(); ++g) {
+      for (const std::uint32_t i : groups[g]) strokes_[i].group = g;
+      lay_out(groups[g]);
+    }
     std::vector<Stroke> sorted;
     sorted.reserve(strokes_.size());
     for (const std::uint32_t i : order_) {

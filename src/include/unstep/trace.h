@@ -9,6 +9,7 @@
 #include "unstep/bitmap.h"
 #include "unstep/grid.h"
 #include "unstep/result.h"
+#include "unstep/reverse.h"
 
 /// Ink to contours and back; pulses of encoders to unit steps.
 namespace unstep {
@@ -56,6 +57,8 @@ struct Stroke {
   Point shift;
   /// In order, together all steps; one if the width is the same all along.
   std::vector<Piece> pieces;
+  /// Strokes that touch have the same number: a letter, a net of lines.
+  std::uint32_t group = 0;
 };
 
 /// The ink as strokes: thinned, freed from what noise and the ends of thick
@@ -84,6 +87,9 @@ struct StrokeOptions {
   Rational tolerance{1, 1};
   Effort effort = Effort::standard;
   bool arcs = true;
+  /// few_bytes: cheap for UstpWriter, still within the tolerance. Small groups
+  /// of strokes that are alike become the same paths; paths begin on others.
+  LineAim aim = LineAim::few_lines;
 };
 Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
                              const Canvas& canvas,
