@@ -3,43 +3,19 @@
 
 #include "codec/path_checksum.h"
 #include "codec/stroke_coder.h"
-#include "codec/stroke_scan.h"
-#include "entropy/arithmetic_decoder.h"
+#include "codec/stroke_decoder_side.h"
+#include "codec/stroke_warm_start.h"
 
 namespace unstep::codec {
-namespace {
-
-class DecoderSide {
- public:
-  explicit DecoderSide(std::span<const std::uint8_t> payload)
-      : coder_(payload) {}
-
-  entropy::ArithmeticDecoder& coder() { return coder_; }
-  [[nodiscard]] static StrokeFrame frame() { return {}; }
-  [[nodiscard]] static StrokeItem item() { return {}; }
-  [[nodiscard]] const Path& path(std::uint64_t i) const {
-    return i < paths_.size() ? paths_[static_cast<std::size_t>(i)] : unknown_;
-  }
-  void add(Path&& path) { paths_.push_back(std::move(path)); }
-  [[nodiscard]] bool damaged() const { return coder_.overrun(); }
-
-  [[nodiscard]] std::vector<Path> take() { return std::move(paths_); }
-
- private:
-  entropy::ArithmeticDecoder coder_;
-  std::vector<Path> paths_;
-  Path unknown_;
-};
-
-}  // namespace
-
 Result<std::vector<Path>> decode_strokes(std::span<const std::uint8_t> payload,
                                          std::uint64_t count,
                                          std::uint64_t elements,
                                          const BlockProgress& progress) {
-  DecoderSide side(payload);
-  const auto scan = std::make_unique<StrokeScan<DecoderSide>>();
-  const Status status = scan->run(side, count, elements, progress);
+  StrokeDecoderSide side(payload);
+  const auto models = std::make_unique<StrokeModels>();
+  if (count > 0) stroke_warm::learn(stroke_warm::kTable, *models);
+  StrokeScan<StrokeDecoderSide> scan(side, *models, count, elements);
+  const Status status = scan.run(progress);
   if (!status) return status.error();
   if (!side.coder().finished()) {
     return Error{ErrorCode::corrupt, "path payload has unused bytes"};

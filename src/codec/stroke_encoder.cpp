@@ -6,6 +6,7 @@
 
 #include "codec/stroke_coder.h"
 #include "codec/stroke_scan.h"
+#include "codec/stroke_warm_start.h"
 #include "codec/word_finder.h"
 #include "entropy/arithmetic_encoder.h"
 
@@ -100,15 +101,23 @@ class EncoderSide {
 }  // namespace
 
 Result<EncodedBlock> encode_strokes(std::span<const Path> paths,
+                                    const stroke_warm::Table& start,
                                     const BlockProgress& progress) {
   std::uint64_t elements = 0;
   for (const Path& path : paths) elements += path.elements.size();
   EncoderSide side(paths);
-  const auto scan = std::make_unique<StrokeScan<EncoderSide>>();
-  const Status status = scan->run(side, paths.size(), elements, progress);
+  const auto models = std::make_unique<StrokeModels>();
+  if (!paths.empty()) stroke_warm::learn(start, *models);
+  StrokeScan<EncoderSide> scan(side, *models, paths.size(), elements);
+  const Status status = scan.run(progress);
   if (!status) return status.error();
-  return EncodedBlock{{kCoderStrokes, kStrokeRevision, path_warm::kTableId},
+  return EncodedBlock{{kCoderStrokes, kStrokeRevision, stroke_warm::kTableId},
                       side.coder().finish()};
+}
+
+Result<EncodedBlock> encode_strokes(std::span<const Path> paths,
+                                    const BlockProgress& progress) {
+  return encode_strokes(paths, stroke_warm::kTable, progress);
 }
 
 }  // namespace unstep::codec

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codec/number_sequence.h"
+#include "codec/vector_classes.h"
 #include "unstep/grid.h"
 
 namespace unstep::codec {
@@ -21,7 +22,7 @@ struct StrokeHead {
 /// Predicts heads: a pen is told by how recently it was used.
 class StrokeHeadModel {
  public:
-  enum Field : std::uint8_t { kClosed, kPen, kNewPen, kElements };
+  enum Field : std::uint8_t { kClosed, kPen, kNewPen, kElements, kMoreElements };
   static constexpr std::size_t kPens = 16;  ///< that are remembered
 
   explicit StrokeHeadModel(int table_bits) : sequence_(table_bits) {}
@@ -45,18 +46,37 @@ class StrokeHeadModel {
         {kind, join_values(1, h.width), join_values(2, a.closed, b.closed),
          join_values(3, a.width == h.width, a.closed, a.elements),
          join_values(4, size(a.elements), size(b.elements)), 5});
-    h.elements = sequence_.number(
-        coder, kElements, static_cast<std::uint32_t>(head.elements),
-        {join_values(0, kind, h.closed), join_values(1, h.width, h.closed),
-         join_values(2, h.closed, size(a.elements), kind),
-         join_values(3, h.closed, size(a.elements), size(b.elements)),
-         join_values(4, h.closed, a.elements), join_values(5, h.closed)});
-    if (h.elements > most) return false;
+    if (h.closed) {
+      h.elements = sequence_.number(
+          coder, kElements, static_cast<std::uint32_t>(head.elements),
+          {join_values(0, kind), join_values(1, h.width),
+           join_values(2, size(a.elements), kind),
+           join_values(3, size(a.elements), size(b.elements)),
+           join_values(4, a.elements), 5});
+      if (h.elements > most) return false;
+    }
     before_[1] = before_[0];
     before_[0] = h;
     head = h;
     return true;
   }
+
+  /// Whether an open path goes on after `n` elements, of which the last went
+  /// so far.
+  template <class Coder>
+  bool code_more(Coder& coder, bool more, std::uint64_t n, const Vec& last,
+                 std::uint64_t kind) {
+    const StrokeHead& a = before_[1];
+    const std::uint64_t count = std::min<std::uint64_t>(n, 12);
+    const auto length = static_cast<std::uint64_t>(length_class(size_of(last)));
+    return sequence_.flag(
+        coder, kMoreElements, more,
+        {join_values(0, count), join_values(1, count, kind),
+         join_values(2, count, length), join_values(3, count, before_[0].width),
+         join_values(4, count, a.elements, a.closed),
+         join_values(5, std::min<std::uint64_t>(count, 2), length, direction_of(last))});
+  }
+  void set_elements(std::uint64_t n) { before_[0].elements = n; }
 
   /// A path that was not coded here.
   void pass(const StrokeHead& head) { use(head.width); }

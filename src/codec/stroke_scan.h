@@ -32,6 +32,20 @@ struct StrokeFrame {
   int unit_bits = 0;  ///< vectors are multiples of 2 to this power
 };
 
+/// What learns in coder 25; nothing of a payload itself.
+struct StrokeModels {
+  static constexpr int kTableBits = 16;
+
+  StrokeModels() { path_warm::apply(path_warm::kTable, paths.vectors()); }
+
+  NumberSequence items{kTableBits};
+  NumberSequence starts{kTableBits};
+  ShapeSequence layout{kTableBits};
+  StrokeAnchor anchors{kTableBits};
+  StrokeHeadModel heads{kTableBits};
+  PathModel paths;
+};
+
 /// Coder 25, both sides: paths one by one or, if they came before as a word,
 /// together. Encoder and decoder run this same code; `Side` is what differs:
 ///
@@ -46,29 +60,29 @@ struct StrokeFrame {
 template <class Side>
 class StrokeScan {
  public:
-  static constexpr int kTableBits = 16;
   static constexpr int kMaxUnitBits = 3;
   static constexpr std::int32_t kMaxVector = 2 * kMaxCoord;
 
-  StrokeScan() : sequence_(kTableBits), layouts_(kTableBits),
-        anchors_(kTableBits), heads_(kTableBits) {
-    path_warm::apply(path_warm::kTable, model_.vectors());
-  }
+  StrokeScan(Side& side, StrokeModels& models, std::uint64_t count,
+             std::uint64_t elements)
+      : side_(side),
+        count_(count),
+        left_(elements),
+        sequence_(models.items),
+        starts_(models.starts),
+        layouts_(models.layout),
+        anchors_(models.anchors),
+        heads_(models.heads),
+        model_(models.paths) {}
 
-  /// Codes a payload. What was learned of those before is kept.
-  Status run(Side& side, std::uint64_t count, std::uint64_t elements,
-             const BlockProgress& progress) {
-    side_ = &side;
-    count_ = count;
-    left_ = elements;
-    done_ = 0;
-    if (count == 0) return elements == 0 ? Status() : damaged();
+  Status run(const BlockProgress& progress) {
+    if (count_ == 0) return left_ == 0 ? Status() : damaged();
     restart();
     for (std::uint64_t told = 0; done_ < count_; ++told) {
       if (progress && told % 64 == 63 && !progress(done_)) {
         return Error{ErrorCode::cancelled, "cancelled"};
       }
-      if (!item() || side.damaged()) return damaged();
+      if (!item() || side_.damaged()) return damaged();
     }
     return left_ == 0 ? Status() : damaged();
   }
@@ -83,7 +97,9 @@ class StrokeScan {
     kGoesOn,
     kAnchored,
     kRestX,
-    kRestY
+    kRestY,
+    kDown = 0,
+    kRight
   };
   /// A word as the layout sees it: the box of its vertices, in units.
   struct Placed {
@@ -100,27 +116,21 @@ class StrokeScan {
     return {ErrorCode::corrupt,
             "path payload is damaged at path " + std::to_string(done_ + 1)};
   }
-  auto& coder() { return side_->coder(); }
+  auto& coder() { return side_.coder(); }
 
   void restart() {
-    const StrokeFrame truth = side_->frame();
+    const StrokeFrame truth = side_.frame();
     model_.restart();
     anchors_.restart();
     heads_.restart();
-    words_.clear();
-    boxes_.clear();
-    past_ = {};
-    anchored_ = 0;
-    rest_ = {};
     frame_.unit_bits = static_cast<int>(sequence_.small(
         coder(), kUnit, static_cast<unsigned>(truth.unit_bits), 2, {}));
     unit_ = 1 << frame_.unit_bits;
     model_.code_frame(coder(), truth.paths);
-    layout_ = ShapeLayout(kMaxCoord, kMaxCoord);
   }
 
   bool item() {
-    const StrokeItem truth = side_->item();
+    const StrokeItem truth = side_.item();
     const ShapePast& a = past_[0];
     const ShapePast& b = past_[1];
     bool refers = false;
@@ -157,9 +167,9 @@ class StrokeScan {
     now.klass = now.id = klass + 1;
     Point origin;
     if (!place(klass, now, line != 0, origin)) return false;
-    const Point first = side_->path(word.first).origin;
+    const Point first = side_.path(word.first).origin;
     for (std::uint64_t i = 0; i < word.count; ++i) {
-      Path path = side_->path(word.first + i);
+      Path path = side_.path(word.first + i);
       path.origin = {path.origin.x - first.x + origin.x,
                      path.origin.y - first.y + origin.y};
       if (path.elements.size() > left_) return false;
@@ -187,7 +197,7 @@ class StrokeScan {
   /// Where a word begins that came before.
   bool place(std::uint32_t klass, ShapePast& now, bool new_line,
              Point& origin) {
-    const Point truth = side_->path(done_).origin;
+    const Point truth = side_.path(done_).origin;
     const std::uint64_t kind = join_values(100, klass);
     const UnitPoint true_point = in_units(truth, unit_);
     UnitPoint point;
@@ -252,7 +262,7 @@ class StrokeScan {
       if (!one(word, i)) return false;
       if (!word || done_ == count_) break;
       const std::uint64_t n = std::min<std::uint64_t>(i, 7);
-      const std::uint64_t last = side_->path(done_ - 1).elements.size();
+      const std::uint64_t last = side_.path(done_ - 1).elements.size();
       if (!sequence_.flag(coder(), kGoesOn, i + 1 < truth.count,
                           {n, join_values(1, last), join_values(2, anchored_),
                            join_values(3, last, n), join_values(4, rest_.x, rest_.y), 5})) {
@@ -266,8 +276,8 @@ class StrokeScan {
 
   void open(std::uint64_t first, bool new_line) {
     VertexBox box;
-    for (std::uint64_t i = first; i < done_; ++i) box.add(side_->path(i));
-    const Point origin = side_->path(first).origin;
+    for (std::uint64_t i = first; i < done_; ++i) box.add(side_.path(i));
+    const Point origin = side_.path(first).origin;
     box = {box.left - origin.x, box.top - origin.y, box.right - origin.x,
            box.bottom - origin.y};
     words_.push_back({first, done_ - first});
@@ -281,13 +291,13 @@ class StrokeScan {
   }
 
   bool one(bool word, std::uint64_t index) {
-    const Path& truth = side_->path(done_);
+    const Path& truth = side_.path(done_);
     const std::uint64_t kind =
         word ? 1 + std::min<std::uint64_t>(index, 3) : 0;
     StrokeHead head{truth.closed, truth.width, truth.elements.size()};
     if (!heads_.code(coder(), head, kind, left_)) return false;
     const std::uint64_t about =
-        join_values(kind, head.closed, std::min<std::uint64_t>(head.elements, 3));
+        join_values(kind, head.closed);
     const UnitPoint true_point = in_units(truth.origin, unit_);
     UnitPoint point;
     point.rest = code_rest(true_point.rest,
@@ -298,12 +308,14 @@ class StrokeScan {
       if (!at) return false;
       point.at = *at;
     } else {
-      const Vec start = model_.code_start(coder(), true_point.at);
+      const Vec start = code_start(true_point.at, about);
       if (!in_range(start.x) || !in_range(start.y)) return false;
       point.at = {static_cast<std::int32_t>(start.x),
                   static_cast<std::int32_t>(start.y)};
     }
     rest_ = point.rest;
+    move_ = {point.at.x - start_.x, point.at.y - start_.y};
+    start_ = point.at;
     const std::int64_t x = std::int64_t{point.at.x} * unit_ + point.rest.x;
     const std::int64_t y = std::int64_t{point.at.y} * unit_ + point.rest.y;
     if (!in_range(x) || !in_range(y)) return false;
@@ -311,32 +323,64 @@ class StrokeScan {
     path.closed = head.closed;
     path.width = head.width;
     path.origin = {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
-    return elements(truth, head, point.at, std::move(path));
+    return elements(truth, head, point.at, std::move(path), kind);
   }
 
   bool elements(const Path& truth, const StrokeHead& head, Point at,
-                Path path) {
+                Path path, std::uint64_t kind) {
     model_.begin({at, head.closed, head.width, head.elements, 0});
-    for (std::uint64_t k = 0; k < head.elements; ++k) {
+    Vec last;
+    for (std::uint64_t k = 0; head.closed ? k < head.elements : heads_.code_more(coder(), k < truth.elements.size(), k, last, kind); ++k) {
+      if (k == left_) return false;
       Path::Element element;
       if (k < truth.elements.size()) {
         element = changed(truth.elements[static_cast<std::size_t>(k)],
                           [&](std::int32_t v) { return v / unit_; });
       }
-      if (side_->damaged() || !model_.code(coder(), element)) return false;
+      if (side_.damaged() || !model_.code(coder(), element)) return false;
       bool fits = true;
       path.elements.push_back(changed(element, [&](std::int32_t v) {
         fits &= v >= -kMaxVector / unit_ && v <= kMaxVector / unit_;
         return fits ? v * unit_ : 0;
       }));
       if (!fits) return false;
+      last = element.kind == Path::Kind::arc ? Vec{element.arc.end.x, element.arc.end.y} : Vec{element.segment.dx, element.segment.dy};
     }
+    heads_.set_elements(path.elements.size());
     model_.end();
     VertexBox box;
     box.add(path);
     if (!in_range(box)) return false;
     take(std::move(path));
     return true;
+  }
+
+  /// A beginning that is on nothing: from that of the path before.
+  Vec code_start(Point truth, std::uint64_t kind) {
+    Point from{};
+    if (model_.vertices().size() > 0) {
+      VertexBox cluster;
+      for (std::int32_t id = model_.vertices().size(); id-- > cluster_;) {
+        cluster.add(model_.vertices()[id].at.x, model_.vertices()[id].at.y);
+      }
+      from = {static_cast<std::int32_t>(cluster.right), static_cast<std::int32_t>(cluster.top)};
+    }
+    cluster_ = model_.vertices().size();
+    const auto same = static_cast<std::uint64_t>(anchored_ & 7U);
+    const std::int64_t dy = starts_.signed_number(
+        coder(), kDown, std::int64_t{truth.y} - from.y,
+        {0, join_values(1, kind), join_values(2, same),
+         join_values(3, clip_value(move_.y, 30)),
+         join_values(4, clip_value(move_.x, 30)), join_values(5, kind, same)});
+    const std::uint64_t level = static_cast<std::uint64_t>(
+        std::bit_width(static_cast<std::uint64_t>(std::abs(dy))));
+    const std::uint64_t down = dy < 0 ? 64 + level : level;
+    const std::int64_t dx = starts_.signed_number(
+        coder(), kRight, std::int64_t{truth.x} - from.x,
+        {down, join_values(1, kind, down), join_values(2, same, down),
+         join_values(3, clip_value(move_.x, 30), down),
+         join_values(4, dy), join_values(5, kind, same)});
+    return {from.x + dx, from.y + dy};
   }
 
   Point code_rest(Point truth, std::uint64_t kind) {
@@ -376,7 +420,7 @@ class StrokeScan {
 
   void take(Path path) {
     left_ -= path.elements.size();
-    side_->add(std::move(path));
+    side_.add(std::move(path));
     ++done_;
   }
 
@@ -395,30 +439,34 @@ class StrokeScan {
            in_range(box.bottom);
   }
 
-  Side* side_ = nullptr;
-  std::uint64_t count_ = 0;
-  std::uint64_t left_ = 0;  ///< elements of the paths to come
+  Side& side_;
+  std::uint64_t count_;
+  std::uint64_t left_;  ///< elements of the paths to come
   std::uint64_t done_ = 0;
   StrokeFrame frame_;
   std::int32_t unit_ = 1;
 
   // What learns.
-  NumberSequence sequence_;
-  ShapeSequence layouts_;
-  StrokeAnchor anchors_;
-  StrokeHeadModel heads_;
-  PathModel model_;
+  NumberSequence& sequence_;
+  NumberSequence& starts_;
+  ShapeSequence& layouts_;
+  StrokeAnchor& anchors_;
+  StrokeHeadModel& heads_;
+  PathModel& model_;
 
   // What is remembered of this payload.
   std::vector<StrokeWord> words_;
   std::vector<VertexBox> boxes_;  ///< about their origins
-  ShapeLayout layout_{1, 1};
+  ShapeLayout layout_{kMaxCoord, kMaxCoord};
   ShapePasts past_{};
   Placed shape_;
   unsigned was_word_ = 0;
   unsigned history_ = 0;
   unsigned anchored_ = 0;
   Point rest_;
+  Point start_;  ///< where the last path began that was told alone
+  std::int32_t cluster_ = 0;
+  Point move_;   ///< to there from the one before
 };
 
 }  // namespace unstep::codec
