@@ -34,7 +34,7 @@ struct StrokeFrame {
 
 /// What learns in coder 25; nothing of a payload itself.
 struct StrokeModels {
-  static constexpr int kTableBits = 16;
+  static constexpr int kTableBits = 14;
 
   StrokeModels() { path_warm::apply(path_warm::kTable, paths.vectors()); }
 
