@@ -16,15 +16,8 @@ namespace {
 using trace::Spot;
 
 /// What counts as missing: ink farther than this from what is drawn, in
-/// squared pixels, and so many pixels of it for a dot.
-struct Pass {
-  std::int64_t near;
-  std::uint64_t least_gain;
-};
-
-/// Nothing is left farther than 2.3 pixels away, and of what is farther than 2
-/// only what is too small to see.
-constexpr std::array<Pass, 2> kPasses{{{5, 1}, {4, 4}}};
+/// squared pixels.
+constexpr std::int64_t kNear = 4;
 
 /// Pixels first..last of a word's row, as bits of word w.
 std::uint64_t run_mask(std::int64_t first, std::int64_t last, std::int64_t w) {
@@ -34,9 +27,8 @@ std::uint64_t run_mask(std::int64_t first, std::int64_t last, std::int64_t w) {
   return (~std::uint64_t{0} >> from) & (~std::uint64_t{0} << (63 - to));
 }
 
-/// Ink whose squared distance from what is drawn is above `near`.
-Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn,
-                           std::int64_t near) {
+/// Ink that is not near what is drawn.
+Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn) {
   Result<Bitmap> missing = Bitmap::create(ink.width(), ink.height());
   if (!missing) return missing;
   RowDistances distances(drawn, RowDistances::To::ink);
@@ -51,7 +43,7 @@ Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn,
         const int bit = std::countl_zero(left);
         left &= ~(std::uint64_t{1} << (63 - bit));
         const std::size_t x = w * 64 + static_cast<std::size_t>(bit);
-        if (squares[x] > near) {
+        if (squares[x] > kNear) {
           missing->set(static_cast<std::int32_t>(x), y, true);
         }
       }
@@ -62,9 +54,8 @@ Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn,
 
 class Coverer {
  public:
-  Coverer(Bitmap& missing, const std::vector<Spot>& spots, const Pass& pass)
+  Coverer(Bitmap& missing, const std::vector<Spot>& spots)
       : missing_(missing),
-        pass_(pass),
         rows_(static_cast<std::size_t>(missing.height())),
         spots_(spots) {
     for (std::int32_t y = 0; y < missing.height(); ++y) {
@@ -77,7 +68,7 @@ class Coverer {
     std::priority_queue<Candidate> queue;
     for (std::size_t i = 0; i < spots_.size(); ++i) {
       const std::uint64_t gain = count(spots_[i]);
-      if (gain >= pass_.least_gain) queue.push({gain, i});
+      if (gain > 0) queue.push({gain, i});
     }
     while (!queue.empty()) {
       Candidate best = queue.top();
@@ -86,9 +77,9 @@ class Coverer {
       if (gain == best.gain) {
         strokes.push_back(dot(spots_[best.spot]));
         for_each_run(spots_[best.spot],
-                     std::sqrt(static_cast<double>(pass_.near)),
+                     std::sqrt(static_cast<double>(kNear)),
                      [](std::uint64_t& word, auto m) { word &= ~m; });
-      } else if (gain >= pass_.least_gain) {
+      } else if (gain > 0) {
         queue.push({gain, best.spot});
       }
     }
@@ -143,7 +134,6 @@ class Coverer {
   }
 
   Bitmap& missing_;
-  Pass pass_;
   std::vector<bool> rows_;  ///< rows with missing ink
   const std::vector<Spot>& spots_;
 };
@@ -170,23 +160,24 @@ void add_missing(const Bitmap& ink, const Bitmap& missing,
 
 }  // namespace
 
+Status dot_missing(const Bitmap& ink, const Bitmap& drawn,
+                   std::vector<Spot> spots, std::vector<Stroke>& dots) {
+  Result<Bitmap> missing = missing_ink(ink, drawn);
+  if (!missing) return missing.error();
+  if (missing->ink() == 0) return {};
+  add_missing(ink, *missing, spots);
+  Coverer(*missing, spots).run(dots);
+  return {};
+}
+
 Status cover_missing(const Bitmap& ink, std::vector<Spot> spots,
                      std::vector<Stroke>& strokes) {
   const Canvas canvas{ink.width(), ink.height(), YAxis::down};
-  const std::size_t traced = spots.size();
-  for (const Pass& pass : kPasses) {
-    const Result<Drawing> drawing = stroke_paths(strokes, canvas, {{0, 1}});
-    if (!drawing) return drawing.error();
-    const Result<Bitmap> drawn = render_paths(*drawing);
-    if (!drawn) return drawn.error();
-    Result<Bitmap> missing = missing_ink(ink, *drawn, pass.near);
-    if (!missing) return missing.error();
-    if (missing->ink() == 0) continue;
-    spots.resize(traced);
-    add_missing(ink, *missing, spots);
-    Coverer(*missing, spots, pass).run(strokes);
-  }
-  return {};
+  const Result<Drawing> drawing = stroke_paths(strokes, canvas, {{0, 1}});
+  if (!drawing) return drawing.error();
+  const Result<Bitmap> drawn = render_paths(*drawing);
+  if (!drawn) return drawn.error();
+  return dot_missing(ink, *drawn, std::move(spots), strokes);
 }
 
 }  // namespace unstep::strokes

@@ -15,4 +15,8 @@ namespace unstep::strokes {
 Status cover_missing(const Bitmap& ink, std::vector<trace::Spot> spots,
                      std::vector<Stroke>& strokes);
 
+/// Adds dots for the ink that is farther than two pixels from what is drawn.
+Status dot_missing(const Bitmap& ink, const Bitmap& drawn,
+                   std::vector<trace::Spot> spots, std::vector<Stroke>& dots);
+
 }  // namespace unstep::strokes

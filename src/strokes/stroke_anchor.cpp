@@ -115,6 +115,7 @@ class Anchorer {
       for (const bool all : {true, false}) {
         if (const auto moved = moved_path(piece.path, t.by, all);
             moved && check_.within(piece.chain, *moved)) {
+          keep_own(piece);
           piece.path = *moved;
           return;
         }

@@ -4,6 +4,7 @@
 #include "grid/chain_end.h"
 #include "strokes/stroke_anchor.h"
 #include "strokes/stroke_piece.h"
+#include "strokes/stroke_reach.h"
 #include "strokes/stroke_repeat.h"
 #include "unstep/reverse.h"
 #include "unstep/trace.h"
@@ -30,29 +31,6 @@ Path path_of_steps(const Chain& chain) {
     i = end;
   }
   return path;
-}
-
-/// Makes coordinates `factor` times finer. Pixels are below 2^30 / 2^9, but
-/// wider pages may leave the range.
-bool refine(Path& path, std::int32_t factor, Point offset) {
-  const auto fits = [&](std::int64_t v) {
-    return v * factor >= -kMaxCoord / 2 && v * factor <= kMaxCoord / 2;
-  };
-  const auto scale = [&](Point& p) {
-    if (!fits(p.x) || !fits(p.y)) return false;
-    p = {p.x * factor, p.y * factor};
-    return true;
-  };
-  if (!scale(path.origin)) return false;
-  path.origin = {path.origin.x + offset.x, path.origin.y + offset.y};
-  for (Path::Element& element : path.elements) {
-    Point move{element.segment.dx, element.segment.dy};
-    if (!scale(move) || !scale(element.arc.centre) || !scale(element.arc.end)) {
-      return false;
-    }
-    element.segment = {move.x, move.y};
-  }
-  return true;
 }
 
 /// One piece of a stroke.
@@ -119,34 +97,22 @@ Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
   Result<std::vector<Piece>> pieces = pieces_of(strokes);
   if (!pieces) return pieces.error();
   const bool exact = options.tolerance.numerator == 0;
-  const std::int32_t own = exact ? 1 : path_scale(options.tolerance);
+  const std::int32_t scale = exact ? 1 : path_scale(options.tolerance);
   if (exact) {
     for (Piece& piece : *pieces) piece.path = path_of_steps(piece.chain);
   } else {
     if (Status laid = lay_lines(*pieces, options); !laid) return laid.error();
     if (options.aim == LineAim::few_bytes) {
-      strokes::repeat_groups(*pieces, options.tolerance, own);
-      strokes::anchor_paths(*pieces, options.tolerance, own);
+      strokes::repeat_groups(*pieces, options.tolerance, scale);
+      strokes::anchor_paths(*pieces, options.tolerance, scale);
     }
   }
-  // Middles of pixels, and half pixels, are on this grid.
-  const std::int32_t factor = own == 1 ? 2 : 1;
-  Drawing drawing;
-  drawing.canvas = canvas;
-  drawing.paint = Paint::stroke;
-  drawing.scale = own * factor;
-  const std::int32_t half = drawing.scale / 2;
-  drawing.paths.reserve(pieces->size());
-  for (Piece& piece : *pieces) {
-    const Point middle{half * (1 + piece.shift.x), half * (1 + piece.shift.y)};
-    if (!refine(piece.path, factor, middle)) {
-      return Error{ErrorCode::out_of_range,
-                   "the page is too large for half pixels"};
-    }
-    piece.path.width = piece.width * half;
-    drawing.paths.push_back(std::move(piece.path));
+  if (options.ink != nullptr) {
+    const Status near = strokes::keep_near(*options.ink, options.tolerance,
+                                           scale, *pieces);
+    if (!near) return near.error();
   }
-  return drawing;
+  return strokes::drawing_of(*pieces, canvas, scale);
 }
 
 }  // namespace unstep

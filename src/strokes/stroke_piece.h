@@ -15,8 +15,30 @@ struct Piece {
   Point shift;             ///< as Stroke::shift
   std::uint32_t group = 0;
   bool repeated = false;  ///< one of a group that has others' paths, or lends
-  Path path;  ///< in 1 / path_scale() pixels, not shifted
+  /// What was laid before it was made like others, if it was.
+  bool changed = false;
+  Path own_path;
+  std::int32_t own_width = 0;
+  Point own_shift;
+  std::size_t times = 0;  ///< it was laid again
+  Path path;              ///< in 1 / path_scale() pixels, not shifted
 };
+
+/// Keeps what a piece is before it becomes like others.
+inline void keep_own(Piece& piece) {
+  if (piece.changed) return;
+  piece.changed = true;
+  piece.own_path = piece.path;
+  piece.own_width = piece.width;
+  piece.own_shift = piece.shift;
+}
+/// Gives it back.
+inline void restore_own(Piece& piece) {
+  piece.path = piece.own_path;
+  piece.width = piece.own_width;
+  piece.shift = piece.own_shift;
+  piece.changed = piece.repeated = false;
+}
 
 /// Whether a path may stand for a chain.
 class PathCheck {
@@ -49,5 +71,10 @@ class PathCheck {
   }
   return at;
 }
+
+/// The pieces' paths with their pens. out_of_range if the page is too large for
+/// half pixels.
+Result<Drawing> drawing_of(const std::vector<Piece>& pieces,
+                           const Canvas& canvas, std::int32_t scale);
 
 }  // namespace unstep::strokes

@@ -190,6 +190,7 @@ class Repeater {
     for (std::size_t i = 0; i < count; ++i) {
       Piece& from = pieces_[pattern.first + i];
       Piece& to = pieces_[first + i];
+      keep_own(to);
       to.path = from.path;
       to.path.origin = from.path.origin + move;
       to.width = from.width;

@@ -57,7 +57,7 @@ Result<std::vector<Stroke>> trace_all(const Bitmap& scanned,
     }
   }
   strokes::share_pens(strokes);
-  const Status covered = strokes::cover_missing(ink, std::move(spots), strokes);
+  const Status covered = strokes::cover_missing(scanned, std::move(spots), strokes);
   if (!covered) return covered.error();
   strokes::order_strokes(strokes);
   if (progress && !progress(1, 1)) {

@@ -90,6 +90,10 @@ struct StrokeOptions {
   /// few_bytes: cheap for UstpWriter, still within the tolerance. Small groups
   /// of strokes that are alike become the same paths; paths begin on others.
   LineAim aim = LineAim::few_lines;
+  /// The ink that the strokes are of, if what is drawn shall be within two
+  /// pixels of it, and it of what is drawn: paths are then nearer to their
+  /// chains where that is needed. Not owned.
+  const Bitmap* ink = nullptr;
 };
 Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
                              const Canvas& canvas,
