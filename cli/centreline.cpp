@@ -23,7 +23,7 @@ Result<Page> strokes_of(const Page& page, const Rational& tolerance,
   if (!strokes) return strokes.error();
   const Canvas canvas{page.ink.width(), page.ink.height(), YAxis::down};
   Result<Drawing> drawing =
-      stroke_paths(*strokes, canvas, {tolerance, effort, options.arcs, aim});
+      stroke_paths(*strokes, canvas, {tolerance, effort, options.arcs, aim, &page.ink});
   if (!drawing) return drawing.error();
   Page drawn;
   drawn.kind = PageKind::paths;

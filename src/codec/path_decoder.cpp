@@ -5,7 +5,6 @@
 #include "codec/block_coder.h"
 #include "codec/path_scan.h"
 #include "codec/stroke_coder.h"
-#include "codec/stroke_warm_start.h"
 #include "entropy/arithmetic_decoder.h"
 
 namespace unstep::codec {
@@ -63,9 +62,8 @@ Result<std::vector<Path>> decode_paths(const CoderName& name,
                                        std::uint64_t count,
                                        std::uint64_t elements,
                                        const BlockProgress& progress) {
-  if (name == CoderName{kCoderStrokes, kStrokeRevision,
-                        stroke_warm::kTableId}) {
-    return decode_strokes(payload, count, elements, progress);
+  if (name.coder == kCoderStrokes) {
+    return decode_strokes(name, payload, count, elements, progress);
   }
   if (name != CoderName{kCoderPaths, kPathRevision, path_warm::kTableId}) {
     return unknown_coder("path", name);

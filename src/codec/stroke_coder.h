@@ -16,7 +16,8 @@ Result<EncodedBlock> encode_strokes(std::span<const Path> paths,
                                     const BlockProgress& progress);
 
 /// decode_paths() of a payload of this coder.
-Result<std::vector<Path>> decode_strokes(std::span<const std::uint8_t> payload,
+Result<std::vector<Path>> decode_strokes(const CoderName& name,
+                                         std::span<const std::uint8_t> payload,
                                          std::uint64_t count,
                                          std::uint64_t elements,
                                          const BlockProgress& progress);

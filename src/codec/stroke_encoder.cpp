@@ -111,13 +111,18 @@ Result<EncodedBlock> encode_strokes(std::span<const Path> paths,
   StrokeScan<EncoderSide> scan(side, *models, paths.size(), elements);
   const Status status = scan.run(progress);
   if (!status) return status.error();
-  return EncodedBlock{{kCoderStrokes, kStrokeRevision, stroke_warm::kTableId},
+  const std::uint8_t table =
+      start.paths == 0 ? stroke_warm::kNoTable : stroke_warm::kTableId;
+  return EncodedBlock{{kCoderStrokes, kStrokeRevision, table},
                       side.coder().finish()};
 }
 
 Result<EncodedBlock> encode_strokes(std::span<const Path> paths,
                                     const BlockProgress& progress) {
-  return encode_strokes(paths, stroke_warm::kTable, progress);
+  const bool large = paths.size() > stroke_warm::kLarge;
+  return encode_strokes(paths,
+                        large ? stroke_warm::Table{} : stroke_warm::kTable,
+                        progress);
 }
 
 }  // namespace unstep::codec

@@ -16,7 +16,10 @@ struct StrokeModels;
 
 namespace stroke_warm {
 
+inline constexpr std::uint8_t kNoTable = 0;
 inline constexpr std::uint8_t kTableId = 1;
+/// Drawings of more paths learn better by themselves.
+inline constexpr std::size_t kLarge = 3000;
 
 struct Table {
   std::uint32_t paths = 0;

@@ -1,7 +1,6 @@
 #include "strokes/cover.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <queue>
@@ -15,8 +14,8 @@ namespace {
 
 using trace::Spot;
 
-/// What counts as missing: ink farther than this from what is drawn, in
-/// squared pixels.
+/// Ink farther than this from strokes with every step, in squared pixels, is
+/// missing.
 constexpr std::int64_t kNear = 4;
 
 /// Pixels first..last of a word's row, as bits of word w.
@@ -27,8 +26,9 @@ std::uint64_t run_mask(std::int64_t first, std::int64_t last, std::int64_t w) {
   return (~std::uint64_t{0} >> from) & (~std::uint64_t{0} << (63 - to));
 }
 
-/// Ink that is not near what is drawn.
-Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn) {
+/// Ink whose squared distance from what is drawn is above `near`.
+Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn,
+                           std::int64_t near) {
   Result<Bitmap> missing = Bitmap::create(ink.width(), ink.height());
   if (!missing) return missing;
   RowDistances distances(drawn, RowDistances::To::ink);
@@ -43,7 +43,7 @@ Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn) {
         const int bit = std::countl_zero(left);
         left &= ~(std::uint64_t{1} << (63 - bit));
         const std::size_t x = w * 64 + static_cast<std::size_t>(bit);
-        if (squares[x] > kNear) {
+        if (squares[x] > near) {
           missing->set(static_cast<std::int32_t>(x), y, true);
         }
       }
@@ -54,8 +54,9 @@ Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn) {
 
 class Coverer {
  public:
-  Coverer(Bitmap& missing, const std::vector<Spot>& spots)
+  Coverer(Bitmap& missing, const std::vector<Spot>& spots, std::int64_t near)
       : missing_(missing),
+        near_(near),
         rows_(static_cast<std::size_t>(missing.height())),
         spots_(spots) {
     for (std::int32_t y = 0; y < missing.height(); ++y) {
@@ -77,7 +78,7 @@ class Coverer {
       if (gain == best.gain) {
         strokes.push_back(dot(spots_[best.spot]));
         for_each_run(spots_[best.spot],
-                     std::sqrt(static_cast<double>(kNear)),
+                     std::sqrt(static_cast<double>(near_)),
                      [](std::uint64_t& word, auto m) { word &= ~m; });
       } else if (gain > 0) {
         queue.push({gain, best.spot});
@@ -134,6 +135,7 @@ class Coverer {
   }
 
   Bitmap& missing_;
+  std::int64_t near_;
   std::vector<bool> rows_;  ///< rows with missing ink
   const std::vector<Spot>& spots_;
 };
@@ -160,13 +162,13 @@ void add_missing(const Bitmap& ink, const Bitmap& missing,
 
 }  // namespace
 
-Status dot_missing(const Bitmap& ink, const Bitmap& drawn,
+Status dot_missing(const Bitmap& ink, const Bitmap& drawn, std::int64_t near,
                    std::vector<Spot> spots, std::vector<Stroke>& dots) {
-  Result<Bitmap> missing = missing_ink(ink, drawn);
+  Result<Bitmap> missing = missing_ink(ink, drawn, near);
   if (!missing) return missing.error();
   if (missing->ink() == 0) return {};
   add_missing(ink, *missing, spots);
-  Coverer(*missing, spots).run(dots);
+  Coverer(*missing, spots, near).run(dots);
   return {};
 }
 
@@ -177,7 +179,7 @@ Status cover_missing(const Bitmap& ink, std::vector<Spot> spots,
   if (!drawing) return drawing.error();
   const Result<Bitmap> drawn = render_paths(*drawing);
   if (!drawn) return drawn.error();
-  return dot_missing(ink, *drawn, std::move(spots), strokes);
+  return dot_missing(ink, *drawn, kNear, std::move(spots), strokes);
 }
 
 }  // namespace unstep::strokes

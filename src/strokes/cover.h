@@ -15,8 +15,9 @@ namespace unstep::strokes {
 Status cover_missing(const Bitmap& ink, std::vector<trace::Spot> spots,
                      std::vector<Stroke>& strokes);
 
-/// Adds dots for the ink that is farther than two pixels from what is drawn.
-Status dot_missing(const Bitmap& ink, const Bitmap& drawn,
+/// Adds dots for the ink whose squared distance from what is drawn is above
+/// `near`.
+Status dot_missing(const Bitmap& ink, const Bitmap& drawn, std::int64_t near,
                    std::vector<trace::Spot> spots, std::vector<Stroke>& dots);
 
 }  // namespace unstep::strokes

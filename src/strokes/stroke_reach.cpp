@@ -83,7 +83,7 @@ class FarPixels {
 };
 
 /// The pixels of `a` that are too far from all of `b`.
-FarPixels far_pixels(const Bitmap& a, const Bitmap& b) {
+FarPixels far_pixels(const Bitmap& a, const Bitmap& b, std::int64_t reach) {
   FarPixels places;
   RowDistances distances(b, RowDistances::To::ink);
   for (std::int32_t y = 0; y < a.height(); ++y) {
@@ -96,7 +96,7 @@ FarPixels far_pixels(const Bitmap& a, const Bitmap& b) {
       for (; left != 0; left &= left - 1) {
         const auto x = static_cast<std::int32_t>(w * 64) + 63 -
                        std::countr_zero(left);
-        if (squares[static_cast<std::size_t>(x)] > kReach) places.add({x, y});
+        if (squares[static_cast<std::size_t>(x)] > reach) places.add({x, y});
       }
     }
   }
@@ -185,10 +185,10 @@ void lay_again(Piece& piece, const Rational& tolerance,
   piece.path = std::move(path);
 }
 
-Status add_dots(const Bitmap& ink, const Bitmap& drawn, std::int32_t scale,
-                std::vector<Piece>& pieces) {
+Status add_dots(const Bitmap& ink, const Bitmap& drawn, std::int64_t reach,
+                std::int32_t scale, std::vector<Piece>& pieces) {
   std::vector<Stroke> dots;
-  if (Status found = dot_missing(ink, drawn, {}, dots); !found) return found;
+  if (Status found = dot_missing(ink, drawn, reach, {}, dots); !found) return found;
   std::uint32_t group = pieces.empty() ? 0 : pieces.back().group;
   for (Stroke& dot : dots) {
     Piece piece;
@@ -217,14 +217,22 @@ void offer_all(const std::vector<Piece>& pieces, FarPixels& pixels) {
 
 }  // namespace
 
+std::int64_t reach_of(const Rational& tolerance) {
+  // At most 1 + 2^20, so its square is below 2^41.
+  const double reach =
+      1 + static_cast<double>(tolerance.numerator) / tolerance.denominator;
+  return std::max<std::int64_t>(4, static_cast<std::int64_t>(reach * reach));
+}
+
 Status keep_near(const Bitmap& ink, const Rational& tolerance,
                  std::int32_t scale, std::vector<Piece>& pieces) {
   PathCheck check(tolerance, scale);
+  const std::int64_t reach = reach_of(tolerance);
   for (std::size_t round = 0; round <= kFiner.size(); ++round) {
     const Result<Bitmap> drawn = draw(pieces, ink, scale);
     if (!drawn) return drawn.error();
-    FarPixels missed = far_pixels(ink, *drawn);
-    FarPixels beyond = far_pixels(*drawn, ink);
+    FarPixels missed = far_pixels(ink, *drawn, reach);
+    FarPixels beyond = far_pixels(*drawn, ink, reach);
     if (missed.empty() && beyond.empty()) return {};
     offer_all(pieces, missed);
     offer_all(pieces, beyond);
@@ -243,7 +251,7 @@ Status keep_near(const Bitmap& ink, const Rational& tolerance,
   }
   const Result<Bitmap> drawn = draw(pieces, ink, scale);
   if (!drawn) return drawn.error();
-  return add_dots(ink, *drawn, scale, pieces);
+  return add_dots(ink, *drawn, reach, scale, pieces);
 }
 
 }  // namespace unstep::strokes

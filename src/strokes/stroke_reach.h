@@ -7,12 +7,12 @@
 
 namespace unstep::strokes {
 
-/// Ink is drawn well that is at most so far from what is drawn, and what is
-/// drawn from ink, in squared pixels.
-inline constexpr std::int64_t kReach = 4;
+/// How far ink may be from what is drawn, and what is drawn from ink, in
+/// squared pixels: two pixels, or the tolerance and one.
+[[nodiscard]] std::int64_t reach_of(const Rational& tolerance);
 
 /// Lays paths again, nearer to their chains, where what they draw and the ink
-/// are more than two pixels apart; narrows pens that draw beyond the ink, and
+/// are farther apart than that; narrows pens that draw beyond the ink, and
 /// dots what is still missing.
 Status keep_near(const Bitmap& ink, const Rational& tolerance,
                  std::int32_t scale, std::vector<Piece>& pieces);

@@ -68,8 +68,11 @@ struct Stroke {
 /// dot. Ends are where a pen with a round tip would stop to reach as far as the
 /// ink does. Widths come from the distances to paper; where they change by more
 /// than two pixels a stroke has pieces. Ink that these strokes miss by more
-/// than 2.24 pixels, or by 2 where four pixels are (blots on lines, filled
-/// shapes), is dotted with pens that reach its edge, at the end of the list.
+/// than two pixels (blots on lines, filled shapes) is dotted with pens that
+/// reach its edge.
+///
+/// Strokes that touch stand together, groups in the order of reading and large
+/// ones last; in a group strokes come after those on which they begin.
 ///
 /// The same ink gives the same strokes on every machine. invalid_argument for
 /// an empty bitmap, limit_exceeded for a skeleton of more than 2^31 pixels.
@@ -91,8 +94,9 @@ struct StrokeOptions {
   /// of strokes that are alike become the same paths; paths begin on others.
   LineAim aim = LineAim::few_lines;
   /// The ink that the strokes are of, if what is drawn shall be within two
-  /// pixels of it, and it of what is drawn: paths are then nearer to their
-  /// chains where that is needed. Not owned.
+  /// pixels of it, or the tolerance and one, and it of what is drawn: paths are
+  /// then nearer to their chains where that is needed, pens narrower, and dots
+  /// cover what is left. Of its size as the canvas; not owned.
   const Bitmap* ink = nullptr;
 };
 Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
