@@ -1,6 +1,7 @@
 #include "strokes/cover.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <queue>
@@ -14,9 +15,9 @@ namespace {
 
 using trace::Spot;
 
-/// Ink farther than this from strokes with every step, in squared pixels, is
-/// missing.
-constexpr std::int64_t kNear = 4;
+/// What strokes are freed from: of what is farther than two pixels only what is
+/// too small to see is left.
+constexpr std::array<Missing, 2> kPasses{{{5, 1}, {4, 4}}};
 
 /// Pixels first..last of a word's row, as bits of word w.
 std::uint64_t run_mask(std::int64_t first, std::int64_t last, std::int64_t w) {
@@ -54,9 +55,9 @@ Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn,
 
 class Coverer {
  public:
-  Coverer(Bitmap& missing, const std::vector<Spot>& spots, std::int64_t near)
+  Coverer(Bitmap& missing, const std::vector<Spot>& spots, const Missing& what)
       : missing_(missing),
-        near_(near),
+        what_(what),
         rows_(static_cast<std::size_t>(missing.height())),
         spots_(spots) {
     for (std::int32_t y = 0; y < missing.height(); ++y) {
@@ -69,7 +70,7 @@ class Coverer {
     std::priority_queue<Candidate> queue;
     for (std::size_t i = 0; i < spots_.size(); ++i) {
       const std::uint64_t gain = count(spots_[i]);
-      if (gain > 0) queue.push({gain, i});
+      if (gain >= what_.least) queue.push({gain, i});
     }
     while (!queue.empty()) {
       Candidate best = queue.top();
@@ -78,9 +79,9 @@ class Coverer {
       if (gain == best.gain) {
         strokes.push_back(dot(spots_[best.spot]));
         for_each_run(spots_[best.spot],
-                     std::sqrt(static_cast<double>(near_)),
+                     std::sqrt(static_cast<double>(what_.near)),
                      [](std::uint64_t& word, auto m) { word &= ~m; });
-      } else if (gain > 0) {
+      } else if (gain >= what_.least) {
         queue.push({gain, best.spot});
       }
     }
@@ -135,7 +136,7 @@ class Coverer {
   }
 
   Bitmap& missing_;
-  std::int64_t near_;
+  Missing what_;
   std::vector<bool> rows_;  ///< rows with missing ink
   const std::vector<Spot>& spots_;
 };
@@ -162,24 +163,28 @@ void add_missing(const Bitmap& ink, const Bitmap& missing,
 
 }  // namespace
 
-Status dot_missing(const Bitmap& ink, const Bitmap& drawn, std::int64_t near,
+Status dot_missing(const Bitmap& ink, const Bitmap& drawn, const Missing& what,
                    std::vector<Spot> spots, std::vector<Stroke>& dots) {
-  Result<Bitmap> missing = missing_ink(ink, drawn, near);
+  Result<Bitmap> missing = missing_ink(ink, drawn, what.near);
   if (!missing) return missing.error();
   if (missing->ink() == 0) return {};
   add_missing(ink, *missing, spots);
-  Coverer(*missing, spots, near).run(dots);
+  Coverer(*missing, spots, what).run(dots);
   return {};
 }
 
-Status cover_missing(const Bitmap& ink, std::vector<Spot> spots,
+Status cover_missing(const Bitmap& ink, const std::vector<Spot>& spots,
                      std::vector<Stroke>& strokes) {
   const Canvas canvas{ink.width(), ink.height(), YAxis::down};
-  const Result<Drawing> drawing = stroke_paths(strokes, canvas, {{0, 1}});
-  if (!drawing) return drawing.error();
-  const Result<Bitmap> drawn = render_paths(*drawing);
-  if (!drawn) return drawn.error();
-  return dot_missing(ink, *drawn, kNear, std::move(spots), strokes);
+  for (const Missing& what : kPasses) {
+    const Result<Drawing> drawing = stroke_paths(strokes, canvas, {{0, 1}});
+    if (!drawing) return drawing.error();
+    const Result<Bitmap> drawn = render_paths(*drawing);
+    if (!drawn) return drawn.error();
+    Status dotted = dot_missing(ink, *drawn, what, spots, strokes);
+    if (!dotted) return dotted;
+  }
+  return {};
 }
 
 }  // namespace unstep::strokes

@@ -188,7 +188,7 @@ void lay_again(Piece& piece, const Rational& tolerance,
 Status add_dots(const Bitmap& ink, const Bitmap& drawn, std::int64_t reach,
                 std::int32_t scale, std::vector<Piece>& pieces) {
   std::vector<Stroke> dots;
-  if (Status found = dot_missing(ink, drawn, reach, {}, dots); !found) return found;
+  if (Status found = dot_missing(ink, drawn, {reach, 1}, {}, dots); !found) return found;
   std::uint32_t group = pieces.empty() ? 0 : pieces.back().group;
   for (Stroke& dot : dots) {
     Piece piece;

@@ -41,7 +41,7 @@ Result<std::vector<Stroke>> trace_all(const Bitmap& scanned,
   }
   Result<trace::SkeletonGraph> graph = trace::graph_of(ink, skeleton);
   if (!graph) return graph.error();
-  std::vector<trace::Spot> spots = all_spots(*graph);
+  const std::vector<trace::Spot> spots = all_spots(*graph);
   prune_spurs(*graph);
   std::vector<trace::Route> routes = trace::routes_of(ink, *graph);
   *graph = {};
@@ -57,7 +57,7 @@ Result<std::vector<Stroke>> trace_all(const Bitmap& scanned,
     }
   }
   strokes::share_pens(strokes);
-  const Status covered = strokes::cover_missing(scanned, std::move(spots), strokes);
+  const Status covered = strokes::cover_missing(ink, spots, strokes);
   if (!covered) return covered.error();
   strokes::order_strokes(strokes);
   if (progress && !progress(1, 1)) {

@@ -68,8 +68,8 @@ struct Stroke {
 /// dot. Ends are where a pen with a round tip would stop to reach as far as the
 /// ink does. Widths come from the distances to paper; where they change by more
 /// than two pixels a stroke has pieces. Ink that these strokes miss by more
-/// than two pixels (blots on lines, filled shapes) is dotted with pens that
-/// reach its edge.
+/// than 2.24 pixels, or by 2 where four pixels are (blots on lines, filled
+/// shapes), is dotted with pens that reach its edge.
 ///
 /// Strokes that touch stand together, groups in the order of reading and large
 /// ones last; in a group strokes come after those on which they begin.
