@@ -22,8 +22,8 @@ Result<Page> strokes_of(const Page& page, const Rational& tolerance,
   const Result<std::vector<Stroke>> strokes = trace_strokes(page.ink);
   if (!strokes) return strokes.error();
   const Canvas canvas{page.ink.width(), page.ink.height(), YAxis::down};
-  Result<Drawing> drawing =
-      stroke_paths(*strokes, canvas, {tolerance, effort, options.arcs, aim, &page.ink});
+  Result<Drawing> drawing = stroke_paths(
+      *strokes, canvas, {tolerance, effort, options.arcs, aim, &page.ink});
   if (!drawing) return drawing.error();
   Page drawn;
   drawn.kind = PageKind::paths;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -27,11 +28,11 @@ class StrokeAnchor {
   }
 
   /// Whether a point can be told so.
-  [[nodiscard]] bool finds(const VertexMemory& vertices, Point truth) {
+  [[nodiscard]] static bool finds(const VertexMemory& vertices, Point truth) {
     bool found = false;
     for_each(vertices, [&](std::int32_t id, int /*back*/, bool /*known*/) {
-      found = vertices[id].at == truth ||
-              along(vertices, id, truth).has_value();
+      found =
+          vertices[id].at == truth || along(vertices, id, truth).has_value();
       return !found;
     });
     return found;
@@ -95,8 +96,8 @@ class StrokeAnchor {
     const std::int64_t n = size_of(line);
     const auto part = [&](std::int64_t d) {
       const std::int64_t twice = 2 * d * k;
-      return static_cast<std::int32_t>(
-          twice >= 0 ? (twice + n) / (2 * n) : -((-twice + n) / (2 * n)));
+      return static_cast<std::int32_t>(twice >= 0 ? (twice + n) / (2 * n)
+                                                  : -((-twice + n) / (2 * n)));
     };
     return {from.x + part(line.x), from.y + part(line.y)};
   }
@@ -110,8 +111,8 @@ class StrokeAnchor {
     const Vec line = vertices[id].at - from;
     const Vec d = truth - from;
     const bool wide = std::abs(line.x) >= std::abs(line.y);
-    const std::int64_t k = wide ? (line.x < 0 ? -d.x : d.x)
-                                : (line.y < 0 ? -d.y : d.y);
+    const std::int64_t k =
+        wide ? (line.x < 0 ? -d.x : d.x) : (line.y < 0 ? -d.y : d.y);
     const std::int64_t n = size_of(line);
     if (k < 1 || k >= n || n >> kLongest != 0) return std::nullopt;
     if (on_line(from, line, k) != truth) return std::nullopt;
@@ -124,11 +125,11 @@ class StrokeAnchor {
                               int back, std::uint64_t direction,
                               std::uint64_t size) {
     const std::optional<std::int64_t> k = along(vertices, id, truth);
-    if (!sequence_.flag(coder, kInside, k.has_value(),
-                        {size, join_values(1, back),
-                         join_values(2, back_ - back, size),
-                         join_values(3, direction, size),
-                         join_values(4, kind, size), join_values(5, kind)})) {
+    if (!sequence_.flag(
+            coder, kInside, k.has_value(),
+            {size, join_values(1, back), join_values(2, back_ - back, size),
+             join_values(3, direction, size), join_values(4, kind, size),
+             join_values(5, kind)})) {
       return std::nullopt;
     }
     const Point from = vertices[vertices[id].previous].at;

@@ -18,6 +18,7 @@ constexpr std::int64_t kLineGap = 64;
 constexpr std::int64_t kLineRise = 24;
 /// A path alone is a word if it comes so often and has so many elements.
 constexpr std::uint32_t kOften = 3;
+constexpr int kMostUnitBits = 3;
 
 class EncoderSide {
  public:
@@ -36,8 +37,6 @@ class EncoderSide {
   [[nodiscard]] static bool damaged() { return false; }
 
  private:
-  using Scan = StrokeScan<EncoderSide>;
-
   void find_frame() {
     std::uint32_t bits = 0;
     const auto see = [&](std::int32_t v) {
@@ -50,7 +49,7 @@ class EncoderSide {
         frame_.paths.arcs |= element.kind == Path::Kind::arc;
       }
     }
-    frame_.unit_bits = std::min(std::countr_zero(bits), Scan::kMaxUnitBits);
+    frame_.unit_bits = std::min(std::countr_zero(bits), kMostUnitBits);
     for (const Path& path : paths_) {
       frame_.paths.starts.add(
           in_units(path.origin, 1 << frame_.unit_bits).at.x);
@@ -65,9 +64,8 @@ class EncoderSide {
     std::unordered_map<std::uint32_t, std::uint32_t> known;
     VertexBox before{0, 0, 0, 0};
     for (const PathGroup& group : groups) {
-      const auto paths =
-          paths_.subspan(static_cast<std::size_t>(group.first),
-                         static_cast<std::size_t>(group.count));
+      const auto paths = paths_.subspan(static_cast<std::size_t>(group.first),
+                                        static_cast<std::size_t>(group.count));
       const bool word = words && group.times > 1 &&
                         (group.count > 1 || group.times >= kOften);
       if (!word) {
@@ -120,9 +118,8 @@ Result<EncodedBlock> encode_strokes(std::span<const Path> paths,
 Result<EncodedBlock> encode_strokes(std::span<const Path> paths,
                                     const BlockProgress& progress) {
   const bool large = paths.size() > stroke_warm::kLarge;
-  return encode_strokes(paths,
-                        large ? stroke_warm::Table{} : stroke_warm::kTable,
-                        progress);
+  return encode_strokes(
+      paths, large ? stroke_warm::Table{} : stroke_warm::kTable, progress);
 }
 
 }  // namespace unstep::codec

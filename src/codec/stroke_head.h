@@ -22,7 +22,13 @@ struct StrokeHead {
 /// Predicts heads: a pen is told by how recently it was used.
 class StrokeHeadModel {
  public:
-  enum Field : std::uint8_t { kClosed, kPen, kNewPen, kElements, kMoreElements };
+  enum Field : std::uint8_t {
+    kClosed,
+    kPen,
+    kNewPen,
+    kElements,
+    kMoreElements
+  };
   static constexpr std::size_t kPens = 16;  ///< that are remembered
 
   explicit StrokeHeadModel(int table_bits) : sequence_(table_bits) {}
@@ -74,12 +80,13 @@ class StrokeHeadModel {
         {join_values(0, count), join_values(1, count, kind),
          join_values(2, count, length), join_values(3, count, before_[0].width),
          join_values(4, count, a.elements, a.closed),
-         join_values(5, std::min<std::uint64_t>(count, 2), length, direction_of(last))});
+         join_values(5, std::min<std::uint64_t>(count, 2), length,
+                     direction_of(last))});
   }
   void set_elements(std::uint64_t n) { before_[0].elements = n; }
 
-  /// A path that was not coded here.
-  void pass(const StrokeHead& head) { use(head.width); }
+  /// A path with this pen was not coded here.
+  void pass(std::int32_t width) { use(width); }
 
  private:
   static std::uint64_t size(std::uint64_t elements) {

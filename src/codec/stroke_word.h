@@ -21,6 +21,13 @@ struct StrokeWord {
   std::uint64_t count = 0;
 };
 
+/// What an element leads to.
+[[nodiscard]] inline Vec move_of(const Path::Element& element) {
+  return element.kind == Path::Kind::arc
+             ? Vec{element.arc.end.x, element.arc.end.y}
+             : Vec{element.segment.dx, element.segment.dy};
+}
+
 /// A box of vertices, of all that was added.
 struct VertexBox {
   std::int64_t left = INT64_MAX;
@@ -39,9 +46,9 @@ struct VertexBox {
     std::int64_t y = path.origin.y;
     add(x, y);
     for (const Path::Element& element : path.elements) {
-      const bool arc = element.kind == Path::Kind::arc;
-      x += arc ? element.arc.end.x : element.segment.dx;
-      y += arc ? element.arc.end.y : element.segment.dy;
+      const Vec move = move_of(element);
+      x += move.x;
+      y += move.y;
       add(x, y);
     }
   }
@@ -74,8 +81,7 @@ template <class Change>
   const auto point = [&](const Point& p) {
     return Point{change(p.x), change(p.y)};
   };
-  return {
-      e.kind, {}, {point(e.arc.centre), point(e.arc.end), e.arc.clockwise}};
+  return {e.kind, {}, {point(e.arc.centre), point(e.arc.end), e.arc.clockwise}};
 }
 
 }  // namespace unstep::codec

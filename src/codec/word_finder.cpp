@@ -33,7 +33,8 @@ struct PairHash {
     return static_cast<std::size_t>(
         mix(mix(key.a, key.b), mix(static_cast<std::uint64_t>(key.dx),
                                    static_cast<std::uint64_t>(key.dy))) *
-        kGolden >> 8);
+            kGolden >>
+        8);
   }
 };
 
@@ -44,9 +45,8 @@ std::vector<std::int32_t> shape_of(const Path& path) {
     if (e.kind == Path::Kind::segment) {
       shape.insert(shape.end(), {0, e.segment.dx, e.segment.dy});
     } else {
-      shape.insert(shape.end(),
-                   {e.arc.clockwise ? 1 : 2, e.arc.centre.x, e.arc.centre.y,
-                    e.arc.end.x, e.arc.end.y});
+      shape.insert(shape.end(), {e.arc.clockwise ? 1 : 2, e.arc.centre.x,
+                                 e.arc.centre.y, e.arc.end.x, e.arc.end.y});
     }
   }
   return shape;
@@ -79,8 +79,7 @@ class Finder {
     std::vector<PathGroup> groups;
     const auto times = count_kinds();
     for (const Node& node : nodes_) {
-      groups.push_back(
-          {node.first, node.count, node.kind, times[node.kind]});
+      groups.push_back({node.first, node.count, node.kind, times[node.kind]});
     }
     return groups;
   }
@@ -162,7 +161,9 @@ class Finder {
       any = true;
       all.push_back({node.first, parts.first_count, parts.a, {}});
       all.push_back({node.first + parts.first_count,
-                     node.count - parts.first_count, parts.b, {}});
+                     node.count - parts.first_count,
+                     parts.b,
+                     {}});
     }
     nodes_ = std::move(all);
     return any;

@@ -13,7 +13,7 @@ namespace unstep::codec {
 struct PathGroup {
   std::uint64_t first = 0;
   std::uint64_t count = 1;
-  std::uint32_t kind = 0;  ///< groups of a kind are alike but for their place
+  std::uint32_t kind = 0;   ///< groups of a kind are alike but for their place
   std::uint32_t times = 1;  ///< how many of the kind there are
 };
 

@@ -24,7 +24,8 @@ struct Missing {
 };
 
 /// Adds dots for the ink that is missing.
-Status dot_missing(const Bitmap& ink, const Bitmap& drawn, const Missing& missing,
-                   std::vector<trace::Spot> spots, std::vector<Stroke>& dots);
+Status dot_missing(const Bitmap& ink, const Bitmap& drawn,
+                   const Missing& missing, std::vector<trace::Spot> spots,
+                   std::vector<Stroke>& dots);
 
 }  // namespace unstep::strokes

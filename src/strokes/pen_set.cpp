@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-
 namespace unstep::strokes {
 
 void share_pens(std::vector<Stroke>& strokes) {

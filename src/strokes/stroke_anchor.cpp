@@ -28,9 +28,9 @@ class Anchorer {
   Anchorer(std::vector<Piece>& pieces, const Rational& tolerance,
            std::int32_t scale)
       : pieces_(pieces), check_(tolerance, scale) {
-    reach_ = static_cast<std::int32_t>(
-        std::uint64_t{tolerance.numerator} * static_cast<std::uint64_t>(scale) /
-        tolerance.denominator);
+    reach_ = static_cast<std::int32_t>(std::uint64_t{tolerance.numerator} *
+                                       static_cast<std::uint64_t>(scale) /
+                                       tolerance.denominator);
   }
 
   void run() {
@@ -78,8 +78,8 @@ class Anchorer {
     const Vec d = vectors::between(v.before, p);
     const bool wide = std::abs(line.x) >= std::abs(line.y);
     const std::int64_t n = vectors::size_of(line);
-    const std::int64_t k = wide ? (line.x < 0 ? -d.x : d.x)
-                                : (line.y < 0 ? -d.y : d.y);
+    const std::int64_t k =
+        wide ? (line.x < 0 ? -d.x : d.x) : (line.y < 0 ? -d.y : d.y);
     if (k < 1 || k >= n || n >> 20 != 0) return false;
     const std::int64_t twice = 2 * (wide ? line.y : line.x) * k;
     const std::int64_t other =
@@ -104,10 +104,9 @@ class Anchorer {
       }
     }
     std::ranges::sort(tries, [](const Try& a, const Try& b) {
-      return a.far + a.rank != b.far + b.rank
-                 ? a.far + a.rank < b.far + b.rank
-             : a.by.y != b.by.y ? a.by.y < b.by.y
-                                : a.by.x < b.by.x;
+      return a.far + a.rank != b.far + b.rank ? a.far + a.rank < b.far + b.rank
+             : a.by.y != b.by.y               ? a.by.y < b.by.y
+                                              : a.by.x < b.by.x;
     });
     for (const Try& t : tries) {
       if (t.far == 0) return;

@@ -159,8 +159,7 @@ class Orderer {
                   stroke.pieces.back().width}};
     for (std::size_t k = 0; k < 2; ++k) {
       const std::int32_t reach = std::max(kNear, ends[k].second / 4);
-      const std::uint32_t other =
-          beside(i, ends[k].first, std::min(reach, 12));
+      const std::uint32_t other = beside(i, ends[k].first, std::min(reach, 12));
       if (other == kNone) continue;
       groups_.join(i, other);
       parents_[i][k] = other;
@@ -256,9 +255,9 @@ class Orderer {
           const std::size_t k = parents_[c][0] == i ? 0 : 1;
           const Point p = k == 0 ? strokes_[c].chain.origin
                                  : chain_end(strokes_[c].chain, YAxis::down);
-          return std::tuple(std::max(std::abs(p.x - from.x),
-                                     std::abs(p.y - from.y)),
-                            p.y, p.x, c);
+          return std::tuple(
+              std::max(std::abs(p.x - from.x), std::abs(p.y - from.y)), p.y,
+              p.x, c);
         };
         return value(a) < value(b);
       });

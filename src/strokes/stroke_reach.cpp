@@ -47,8 +47,8 @@ class FarPixels {
         if (cell == cells_.end()) continue;
         for (const std::size_t i : cell->second) {
           Pixel& pixel = pixels_[i];
-          const double far = std::hypot(pixel.at.x - at.x, pixel.at.y - at.y) -
-                             width / 4.0;
+          const double far =
+              std::hypot(pixel.at.x - at.x, pixel.at.y - at.y) - width / 4.0;
           if (far > kAround || (pixel.piece != kNobody && far >= pixel.far)) {
             continue;
           }
@@ -94,8 +94,8 @@ FarPixels far_pixels(const Bitmap& a, const Bitmap& b, std::int64_t reach) {
       std::uint64_t left = here[w] & ~there[w];
       if (left != 0 && squares.empty()) squares = distances.row(y);
       for (; left != 0; left &= left - 1) {
-        const auto x = static_cast<std::int32_t>(w * 64) + 63 -
-                       std::countr_zero(left);
+        const auto x =
+            static_cast<std::int32_t>(w * 64) + 63 - std::countr_zero(left);
         if (squares[static_cast<std::size_t>(x)] > reach) places.add({x, y});
       }
     }
@@ -145,7 +145,8 @@ class ChainLines {
 
  private:
   /// The point between two others farthest from their line, 0 if all are near.
-  [[nodiscard]] std::size_t farthest(std::size_t first, std::size_t last) const {
+  [[nodiscard]] std::size_t farthest(std::size_t first,
+                                     std::size_t last) const {
     const Point a = points_[first];
     const double dx = points_[last].x - a.x;
     const double dy = points_[last].y - a.y;
@@ -156,8 +157,7 @@ class ChainLines {
       const double x = points_[i].x - a.x;
       const double y = points_[i].y - a.y;
       const double t =
-          length == 0 ? 0
-                      : std::clamp((x * dx + y * dy) / length, 0.0, 1.0);
+          length == 0 ? 0 : std::clamp((x * dx + y * dy) / length, 0.0, 1.0);
       const double ex = x - t * dx;
       const double ey = y - t * dy;
       if (ex * ex + ey * ey <= most) continue;
@@ -171,8 +171,8 @@ class ChainLines {
   double bound_;
 };
 
-void lay_again(Piece& piece, const Rational& tolerance,
-               std::int32_t scale, PathCheck& check) {
+void lay_again(Piece& piece, const Rational& tolerance, std::int32_t scale,
+               PathCheck& check) {
   if (piece.changed) return restore_own(piece);
   if (piece.chain.steps.empty()) return;
   const double bound = static_cast<double>(tolerance.numerator) /
@@ -188,7 +188,8 @@ void lay_again(Piece& piece, const Rational& tolerance,
 Status add_dots(const Bitmap& ink, const Bitmap& drawn, std::int64_t reach,
                 std::int32_t scale, std::vector<Piece>& pieces) {
   std::vector<Stroke> dots;
-  if (Status found = dot_missing(ink, drawn, {reach, 1}, {}, dots); !found) return found;
+  if (Status found = dot_missing(ink, drawn, {reach, 1}, {}, dots); !found)
+    return found;
   std::uint32_t group = pieces.empty() ? 0 : pieces.back().group;
   for (Stroke& dot : dots) {
     Piece piece;
@@ -249,9 +250,15 @@ Status keep_near(const Bitmap& ink, const Rational& tolerance,
       }
     }
   }
-  const Result<Bitmap> drawn = draw(pieces, ink, scale);
-  if (!drawn) return drawn.error();
-  return add_dots(ink, *drawn, reach, scale, pieces);
+  // A dot between pixels may reach a little less far than it should.
+  for (std::size_t known = pieces.size() + 1; known != pieces.size();) {
+    known = pieces.size();
+    const Result<Bitmap> drawn = draw(pieces, ink, scale);
+    if (!drawn) return drawn.error();
+    Status dotted = add_dots(ink, *drawn, reach, scale, pieces);
+    if (!dotted) return dotted;
+  }
+  return {};
 }
 
 }  // namespace unstep::strokes

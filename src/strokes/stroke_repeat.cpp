@@ -45,14 +45,14 @@ class Repeater {
            std::int32_t scale)
       : pieces_(pieces), check_(tolerance, scale), scale_(scale) {
     // The largest whole number of path units within the tolerance.
-    reach_ = static_cast<std::int32_t>(
-        std::uint64_t{tolerance.numerator} * static_cast<std::uint64_t>(scale) /
-        tolerance.denominator);
+    reach_ = static_cast<std::int32_t>(std::uint64_t{tolerance.numerator} *
+                                       static_cast<std::uint64_t>(scale) /
+                                       tolerance.denominator);
     for (const Piece& piece : pieces) {
       const Point end = chain_end(piece.chain, YAxis::down);
-      ends_.push_back({{piece.chain.origin.x * scale,
-                        piece.chain.origin.y * scale},
-                       {end.x * scale, end.y * scale}});
+      ends_.push_back(
+          {{piece.chain.origin.x * scale, piece.chain.origin.y * scale},
+           {end.x * scale, end.y * scale}});
     }
   }
 
@@ -74,9 +74,9 @@ class Repeater {
   [[nodiscard]] Key key_of(std::size_t first, std::size_t count) const {
     Key key;
     for (std::size_t i = first; i < first + count; ++i) {
-      key.push_back(pieces_[i].chain.closed            ? 2
+      key.push_back(pieces_[i].chain.closed          ? 2
                     : pieces_[i].chain.steps.empty() ? 1
-                                                       : 0);
+                                                     : 0);
     }
     return key;
   }
@@ -105,8 +105,8 @@ class Repeater {
                                     std::size_t count) const {
     std::int32_t low = INT32_MIN;
     for (std::size_t i = first; i < first + count; ++i) {
-      low = std::max({low, pieces_[i].path.origin.y,
-                      end_of(pieces_[i].path).y});
+      low =
+          std::max({low, pieces_[i].path.origin.y, end_of(pieces_[i].path).y});
     }
     return low;
   }
@@ -114,8 +114,7 @@ class Repeater {
   /// How a pattern is moved to stand for the group, if it may.
   std::optional<Point> fit(const Pattern& pattern, std::size_t first,
                            std::size_t count, std::size_t& tries) {
-    const Point about =
-        ends_[first].begin - pieces_[pattern.first].path.origin;
+    const Point about = ends_[first].begin - pieces_[pattern.first].path.origin;
     if (!roughly(pattern, first, count, about)) return std::nullopt;
     ++tries;
     std::vector<Point> moves;
@@ -153,8 +152,7 @@ class Repeater {
         if (std::abs(size - other) > 4 + 4 * reach_ / scale_) return false;
         continue;
       }
-      if (distance(a.path.origin + move, ends_[first + i].begin) >
-              2 * reach_ ||
+      if (distance(a.path.origin + move, ends_[first + i].begin) > 2 * reach_ ||
           distance(end_of(a.path) + move, ends_[first + i].end) > 2 * reach_) {
         return false;
       }
@@ -203,7 +201,7 @@ class Repeater {
   PathCheck check_;
   std::int32_t scale_;
   std::int32_t reach_ = 0;
-  std::vector<Ends> ends_;  ///< of the chains, path units
+  std::vector<Ends> ends_;                        ///< of the chains, path units
   std::map<Key, std::vector<Pattern>> patterns_;  ///< the most used first
   std::int32_t base_ = 0;  ///< the line on which letters stand
 };

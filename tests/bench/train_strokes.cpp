@@ -45,10 +45,8 @@ bool add_strokes(const char* file, std::vector<Path>& paths) {
   StrokeOptions options;
   options.aim = LineAim::few_bytes;
   options.ink = &page->ink;
-  const auto drawing =
-      stroke_paths(*strokes,
-                   {page->ink.width(), page->ink.height(), YAxis::down},
-                   options);
+  const auto drawing = stroke_paths(
+      *strokes, {page->ink.width(), page->ink.height(), YAxis::down}, options);
   if (!drawing) return false;
   paths.insert(paths.end(), drawing->paths.begin(), drawing->paths.end());
   return true;
