@@ -36,7 +36,8 @@ std::size_t round_trip(const std::vector<Path>& paths) {
     const auto decoded = decode_strokes(block->name, block->payload,
                                         paths.size(), elements_of(paths), {});
     EXPECT_TRUE(decoded) << decoded.error().message;
-    if (decoded) EXPECT_EQ(*decoded, paths);
+    if (!decoded) return 0;
+    EXPECT_EQ(*decoded, paths);
     size = block->payload.size();
   }
   return size;
@@ -65,7 +66,7 @@ std::vector<Path> letters(std::size_t count) {
 TEST(StrokeCoder, RoundTripsAnyPaths) {
   round_trip({});
   round_trip({Path{}});
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
     round_trip(random_paths(seed, seed * 4, 9));
   }
   Path far;
