@@ -184,8 +184,8 @@ class StrokeScan {
              UnitPoint& point) {
     const std::uint64_t about = join_values(kind, head.closed);
     const Point rest = starts_.rest();
-    point.rest = starts_.code_rest(coder(), truth.rest,
-                                   join_values(200, head.width, rest.x * 8 + rest.y));
+    point.rest = starts_.code_rest(
+        coder(), truth.rest, join_values(200, head.width, rest.x * 8 + rest.y));
     if (starts_.code_anchored(coder(), truth.at, about,
                               kind > 0 ? kInWord : kAlone, words_.last())) {
       const auto at = starts_.on_path(coder(), truth.at, about);
