@@ -17,12 +17,13 @@ namespace {
 constexpr double kAutomaticReach = 2.5;
 
 Result<Page> strokes_of(const Page& page, const Rational& tolerance,
-                        const LineOptions& options, Effort effort) {
+                        const LineOptions& options, Effort effort,
+                        LineAim aim) {
   const Result<std::vector<Stroke>> strokes = trace_strokes(page.ink);
   if (!strokes) return strokes.error();
   const Canvas canvas{page.ink.width(), page.ink.height(), YAxis::down};
-  Result<Drawing> drawing =
-      stroke_paths(*strokes, canvas, {tolerance, effort, options.arcs});
+  Result<Drawing> drawing = stroke_paths(
+      *strokes, canvas, {tolerance, effort, options.arcs, aim, &page.ink});
   if (!drawing) return drawing.error();
   Page drawn;
   drawn.kind = PageKind::paths;
@@ -143,7 +144,7 @@ Result<Page> to_strokes(Page page, const LineOptions& options, Effort effort,
     if (!asked) return asked.error();
     tolerance = *asked;
   }
-  Result<Page> strokes = strokes_of(page, tolerance, options, effort);
+  Result<Page> strokes = strokes_of(page, tolerance, options, effort, aim);
   if (!strokes || options.trace == LineOptions::Trace::centreline) {
     return strokes;
   }

@@ -92,6 +92,7 @@ std::string coder_name(std::uint8_t coder) {
     case codec::kCoderContours: return "contours";
     case codec::kCoderChains: return "chains";
     case codec::kCoderPaths: return "paths";
+    case codec::kCoderStrokes: return "strokes";
     case codec::kCoderProgram: return "program";
     default: return fmt::format("coder {}", coder);
   }

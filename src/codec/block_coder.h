@@ -52,6 +52,7 @@ inline constexpr std::uint8_t kCoderContours = 1;  ///< contours, mixed models
 inline constexpr std::uint8_t kCoderShapes = 2;    ///< shapes that repeat
 inline constexpr std::uint8_t kCoderChains = 16;   ///< chains, mixed models
 inline constexpr std::uint8_t kCoderPaths = 24;    ///< paths, mixed models
+inline constexpr std::uint8_t kCoderStrokes = 25;  ///< paths that repeat
 inline constexpr std::uint8_t kCoderProgram = 28;  ///< programs, mixed models
 
 struct EncodedBlock {

@@ -4,6 +4,7 @@
 
 #include "codec/block_coder.h"
 #include "codec/path_scan.h"
+#include "codec/stroke_coder.h"
 #include "entropy/arithmetic_decoder.h"
 
 namespace unstep::codec {
@@ -61,6 +62,9 @@ Result<std::vector<Path>> decode_paths(const CoderName& name,
                                        std::uint64_t count,
                                        std::uint64_t elements,
                                        const BlockProgress& progress) {
+  if (name.coder == kCoderStrokes) {
+    return decode_strokes(name, payload, count, elements, progress);
+  }
   if (name != CoderName{kCoderPaths, kPathRevision, path_warm::kTableId}) {
     return unknown_coder("path", name);
   }

@@ -3,6 +3,7 @@
 #include "codec/block_coder.h"
 #include "codec/path_checksum.h"
 #include "codec/path_scan.h"
+#include "codec/stroke_coder.h"
 #include "entropy/arithmetic_encoder.h"
 
 namespace unstep::codec {
@@ -28,6 +29,11 @@ Topmost topmost(const Path& path) {
     }
   }
   return best;
+}
+
+bool have_pens(std::span<const Path> paths) {
+  return std::any_of(paths.begin(), paths.end(),
+                     [](const Path& path) { return path.width > 0; });
 }
 
 class EncoderSide {
@@ -85,8 +91,14 @@ Result<EncodedBlock> encode_paths(std::span<const Path> paths,
   PathScan<EncoderSide> scan(side, paths.size(), survey->elements);
   const Status status = scan.run(progress);
   if (!status) return status.error();
-  return EncodedBlock{{kCoderPaths, kPathRevision, path_warm::kTableId},
-                      side.coder().finish()};
+  EncodedBlock block{{kCoderPaths, kPathRevision, path_warm::kTableId},
+                     side.coder().finish()};
+  if (!have_pens(paths)) return block;
+  Result<EncodedBlock> strokes = encode_strokes(paths, progress);
+  if (!strokes || strokes->payload.size() < block.payload.size()) {
+    return strokes;
+  }
+  return block;
 }
 
 }  // namespace unstep::codec

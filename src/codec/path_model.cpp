@@ -25,6 +25,20 @@ void PathModel::end() {
   }
 }
 
+void PathModel::follow(const Path::Element& element) {
+  place_.arc = element.kind == Path::Kind::arc;
+  const Arc& arc = element.arc;
+  advance(place_.arc ? Vec{arc.end.x, arc.end.y}
+                     : Vec{element.segment.dx, element.segment.dy},
+          {arc.centre.x, arc.centre.y}, arc.clockwise);
+}
+
+void PathModel::restart() {
+  vertices_ = {};
+  density_ = {};
+  starts_.restart();
+}
+
 bool PathModel::in_range(const Vec& move) const {
   const Point at = vertices_[place_.vertex].at;
   const auto inside = [](std::int64_t v) {

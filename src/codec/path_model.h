@@ -70,6 +70,14 @@ class PathModel {
     return true;
   }
 
+  /// Goes along an element that is known already.
+  void follow(const Path::Element& element);
+
+  /// Forgets all vertices, but nothing that was learned.
+  void restart();
+
+  [[nodiscard]] const VertexMemory& vertices() const { return vertices_; }
+
   /// For a warm start and its training.
   [[nodiscard]] VectorModel& vectors() { return vectors_; }
   [[nodiscard]] StartPositionModel& starts() { return starts_; }

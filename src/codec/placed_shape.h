@@ -18,6 +18,9 @@ struct PlacedShape {
   std::int32_t dx = 0;  ///< pixel (i, j) lies over (i + dx, j + dy) of the
   std::int32_t dy = 0;  ///< reference, both from the middle
   Glyph glyph;
+
+  [[nodiscard]] std::int32_t width() const { return glyph.width; }
+  [[nodiscard]] std::int32_t height() const { return glyph.height; }
 };
 
 /// What telling a shape costs, in pixels: the work of decoding it.

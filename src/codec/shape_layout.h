@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "codec/placed_shape.h"
 #include "codec/shape_sequence.h"
 
 namespace unstep::codec {
@@ -24,7 +23,7 @@ struct ShapePast {
 using ShapePasts = std::array<ShapePast, 3>;  ///< the latest first
 
 /// Where shapes stand: in lines, one after another, each class at its own
-/// height.
+/// height. A shape has a place x, y, a size width(), height() and new_line.
 class ShapeLayout {
  public:
   /// Of a band of width x height pixels.
@@ -47,9 +46,9 @@ class ShapeLayout {
   /// The left side follows the right side of the shape before, the lower side
   /// the line on which shapes of the same class stood. False if it would lie
   /// outside the band.
-  template <class Coder>
-  bool code_place(Coder& coder, ShapeSequence& sequence, PlacedShape& shape,
-                  const PlacedShape& truth, ShapePast& now,
+  template <class Coder, class Shape>
+  bool code_place(Coder& coder, ShapeSequence& sequence, Shape& shape,
+                  const Shape& truth, ShapePast& now,
                   const ShapePasts& past) const {
     const ShapePast& a = past[0];
     const ShapePast& b = past[1];
@@ -65,7 +64,7 @@ class ShapeLayout {
                                 join_values(4, clip_value(a.gap, 40), fresh),
                                 join_values(5, now.klass, a.klass, b.klass)});
     const std::int64_t bottom =
-        std::int64_t{truth.y} + shape.glyph.height - base - drop;
+        std::int64_t{truth.y} + shape.height() - base - drop;
     const std::int64_t rise = sequence.signed_number(
         coder, ShapeSequence::kRise, bottom,
         {fresh, join_values(1, now.klass, fresh),
@@ -78,9 +77,9 @@ class ShapeLayout {
          join_values(4, clip_value(a.rise, 20), fresh, clip_value(b.rise, 4)),
          join_values(5, now.id, a.id)});
     const std::int64_t x = from + gap;
-    const std::int64_t y = base + drop + rise - shape.glyph.height;
-    if (x < 0 || y < 0 || x + shape.glyph.width > width_ ||
-        y + shape.glyph.height > height_) {
+    const std::int64_t y = base + drop + rise - shape.height();
+    if (x < 0 || y < 0 || x + shape.width() > width_ ||
+        y + shape.height() > height_) {
       return false;
     }
     shape.x = static_cast<std::int32_t>(x);
@@ -92,8 +91,9 @@ class ShapeLayout {
 
   /// A shape stands at its place. `klass` is its class and 1, 0 if it opens
   /// the next one.
-  void advance(const PlacedShape& shape, std::uint32_t klass) {
-    const std::int32_t bottom = shape.y + shape.glyph.height;
+  template <class Shape>
+  void advance(const Shape& shape, std::uint32_t klass) {
+    const std::int32_t bottom = shape.y + shape.height();
     if (shape.new_line) line_x_ = shape.x;
     if (klass == 0) {
       if (shape.new_line) base_ = bottom;
@@ -102,7 +102,7 @@ class ShapeLayout {
       base_ = std::clamp(bottom - drops_[klass - 1], 0, height_);
     }
     if (shape.new_line) line_base_ = base_;
-    x_ = shape.x + shape.glyph.width;
+    x_ = shape.x + shape.width();
     in_line_ = shape.new_line ? 0 : std::min(in_line_ + 1, 15U);
   }
 

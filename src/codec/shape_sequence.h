@@ -1,37 +1,15 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdint>
-#include <cstdlib>
-#include <vector>
 
-#include "codec/context.h"
-#include "codec/decision_model.h"
+#include "codec/number_sequence.h"
 
 namespace unstep::codec {
 
-/// Numbers to one, as a context; negative ones modulo 2^64.
-template <class A, class B = int, class C = int>
-std::uint64_t join_values(std::uint64_t tag, A a, B b = 0, C c = 0) {
-  return mix(mix(mix(tag, static_cast<std::uint64_t>(a)),
-                 static_cast<std::uint64_t>(b)),
-             static_cast<std::uint64_t>(c));
-}
-/// A number of few values, for a context.
-inline std::uint64_t clip_value(std::int32_t value, std::int32_t limit) {
-  return static_cast<std::uint64_t>(std::clamp(value, -limit, limit) + limit);
-}
-
-/// Codes what is said of shapes beside their pixels: numbers under contexts
-/// made of the shapes before, like a text.
-class ShapeSequence {
+/// Codes what is said of shapes beside their pixels.
+class ShapeSequence : public NumberSequence {
  public:
-  static constexpr std::size_t kContexts = 6;
-  using Contexts = DecisionModel<kContexts>::Values;
-
-  /// What a number means; numbers of different fields share nothing.
+  /// What a number means.
   enum Field : std::uint8_t {
     kMore,
     kNewLine,
@@ -49,91 +27,7 @@ class ShapeSequence {
     kFields
   };
 
-  explicit ShapeSequence(int table_bits)
-      : model_(table_bits, std::array<Weights, 1>{initial()}) {}
-
-  template <class Coder>
-  bool flag(Coder& coder, Field field, bool value, const Contexts& contexts) {
-    return decide(coder, field, 0, value, contexts);
-  }
-
-  /// A number below 2^bits, the highest bit first. REQUIRES: bits <= 8.
-  template <class Coder>
-  unsigned small(Coder& coder, Field field, unsigned value, int bits,
-                 const Contexts& contexts) {
-    unsigned node = 1;
-    for (int i = bits - 1; i >= 0; --i) {
-      const bool bit = (value >> i & 1) != 0;
-      node = node * 2 + (decide(coder, field, node, bit, contexts) ? 1U : 0U);
-    }
-    return node - (1U << bits);
-  }
-
-  /// Any number up to 2^31 - 1: how many digits it has, one flag each, then
-  /// the digits after the first.
-  template <class Coder>
-  std::uint32_t number(Coder& coder, Field field, std::uint32_t value,
-                       const Contexts& contexts) {
-    return digits(coder, field, kSizes, value, contexts);
-  }
-
-  /// Any number of +-(2^31 - 1).
-  template <class Coder>
-  std::int64_t signed_number(Coder& coder, Field field, std::int64_t value,
-                             const Contexts& contexts) {
-    const auto size = static_cast<std::uint32_t>(std::abs(value));
-    const bool zero = decide(coder, field, kSigns, value == 0, contexts);
-    if (zero) return 0;
-    const bool negative = decide(coder, field, kSigns + 1, value < 0, contexts);
-    const std::uint32_t sizes = negative ? kSizes + 32 : kSizes;
-    const std::int64_t read =
-        std::int64_t{digits(coder, field, sizes, size - 1, contexts)} + 1;
-    return negative ? -read : read;
-  }
-
- private:
-  static constexpr std::uint32_t kSizes = 0;  ///< nodes, 32 for either sign
-  static constexpr std::uint32_t kSigns = 64;
-  static constexpr std::uint32_t kDigits = 256;
-  static constexpr std::uint32_t kNodes = 72;  ///< that have weights
-
-  template <class Coder>
-  std::uint32_t digits(Coder& coder, Field field, std::uint32_t sizes,
-                       std::uint32_t value, const Contexts& contexts) {
-    const auto wanted = static_cast<std::uint32_t>(std::bit_width(value));
-    std::uint32_t size = 0;
-    while (size < 31 &&
-           decide(coder, field, sizes + size, size < wanted, contexts)) {
-      ++size;
-    }
-    if (size == 0) return 0;
-    std::uint32_t read = 1;
-    for (std::uint32_t i = size - 1; i-- > 0;) {
-      const std::uint32_t node =
-          kDigits + (sizes << 18) + (size << 12) + std::min(read, 1023U + i);
-      const bool bit = (value >> i & 1) != 0;
-      read = read * 2 + (decide(coder, field, node, bit, contexts) ? 1U : 0U);
-    }
-    return read;
-  }
-
-  template <class Coder>
-  bool decide(Coder& coder, Field field, std::uint32_t node, bool bit,
-              const Contexts& contexts) {
-    model_.set_contexts(contexts);
-    const std::uint32_t weights = std::min(node, kNodes - 1);
-    return model_.code(coder, bit, std::uint32_t{field} << 27 | node,
-                       {field * kNodes + weights, field});
-  }
-
-  using Weights = DecisionModel<kContexts>::Weights;
-  static constexpr Weights initial() {
-    Weights weights{};
-    std::fill_n(weights.begin(), 2 * kContexts, 6144 / kContexts);
-    return weights;
-  }
-
-  DecisionModel<kContexts> model_;
+  using NumberSequence::NumberSequence;
 };
 
 }  // namespace unstep::codec

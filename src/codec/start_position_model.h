@@ -78,6 +78,12 @@ class StartPositionModel {
     return before_;
   }
 
+  /// As if nothing had been coded; what was learned is kept.
+  void restart() {
+    before_ = {};
+    down_before_ = 0;
+  }
+
   [[nodiscard]] Decisions& decisions() { return decisions_; }
 
  private:

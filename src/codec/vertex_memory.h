@@ -40,6 +40,9 @@ class VertexMemory {
     vertex(first).previous = last;
   }
 
+  [[nodiscard]] std::int32_t size() const {
+    return static_cast<std::int32_t>(vertices_.size());
+  }
   [[nodiscard]] const Vertex& operator[](std::int32_t id) const {
     return vertices_[static_cast<std::size_t>(id)];
   }

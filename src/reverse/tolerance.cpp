@@ -85,6 +85,11 @@ LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options,
   return free.size() < fewest.size() ? free : fewest;
 }
 
+bool stay_apart(const ToleranceOptions& options) {
+  return !options.may_cross &&
+         options.tolerance.numerator <= options.tolerance.denominator;
+}
+
 bool is_cheap(const ToleranceOptions& options) {
   return options.aim == LineAim::few_bytes && options.effort != Effort::fast;
 }
@@ -162,7 +167,7 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
       lines.back().shrink_to_fit();
     }
   }
-  if (options.tolerance.numerator <= options.tolerance.denominator) {
+  if (stay_apart(options)) {
     report.refined = reverse::refine_crossings(
         chains, in_path_units(options.tolerance), lines);
   }
@@ -189,8 +194,7 @@ std::vector<ArcPath> add_arcs(std::span<const ChainWalk> chains,
     lines[i] = {};
     if (price) reverse::drop_dear_arcs(paths.back(), *price);
   }
-  if (options.arcs &&
-      options.tolerance.numerator <= options.tolerance.denominator) {
+  if (options.arcs && stay_apart(options)) {
     report.refined += reverse::remove_crossing_arcs(paths, closed, scale);
   }
   return paths;

@@ -15,16 +15,9 @@ namespace {
 
 using trace::Spot;
 
-/// What counts as missing: ink farther than this from what is drawn, in
-/// squared pixels, and so many pixels of it for a dot.
-struct Pass {
-  std::int64_t near;
-  std::uint64_t least_gain;
-};
-
-/// Nothing is left farther than 2.3 pixels away, and of what is farther than 2
-/// only what is too small to see.
-constexpr std::array<Pass, 2> kPasses{{{5, 1}, {4, 4}}};
+/// What strokes are freed from: of what is farther than two pixels only what is
+/// too small to see is left.
+constexpr std::array<Missing, 2> kPasses{{{5, 1}, {4, 4}}};
 
 /// Pixels first..last of a word's row, as bits of word w.
 std::uint64_t run_mask(std::int64_t first, std::int64_t last, std::int64_t w) {
@@ -62,9 +55,9 @@ Result<Bitmap> missing_ink(const Bitmap& ink, const Bitmap& drawn,
 
 class Coverer {
  public:
-  Coverer(Bitmap& missing, const std::vector<Spot>& spots, const Pass& pass)
+  Coverer(Bitmap& missing, const std::vector<Spot>& spots, const Missing& what)
       : missing_(missing),
-        pass_(pass),
+        what_(what),
         rows_(static_cast<std::size_t>(missing.height())),
         spots_(spots) {
     for (std::int32_t y = 0; y < missing.height(); ++y) {
@@ -77,7 +70,7 @@ class Coverer {
     std::priority_queue<Candidate> queue;
     for (std::size_t i = 0; i < spots_.size(); ++i) {
       const std::uint64_t gain = count(spots_[i]);
-      if (gain >= pass_.least_gain) queue.push({gain, i});
+      if (gain >= what_.least) queue.push({gain, i});
     }
     while (!queue.empty()) {
       Candidate best = queue.top();
@@ -86,9 +79,9 @@ class Coverer {
       if (gain == best.gain) {
         strokes.push_back(dot(spots_[best.spot]));
         for_each_run(spots_[best.spot],
-                     std::sqrt(static_cast<double>(pass_.near)),
+                     std::sqrt(static_cast<double>(what_.near)),
                      [](std::uint64_t& word, auto m) { word &= ~m; });
-      } else if (gain >= pass_.least_gain) {
+      } else if (gain >= what_.least) {
         queue.push({gain, best.spot});
       }
     }
@@ -143,7 +136,7 @@ class Coverer {
   }
 
   Bitmap& missing_;
-  Pass pass_;
+  Missing what_;
   std::vector<bool> rows_;  ///< rows with missing ink
   const std::vector<Spot>& spots_;
 };
@@ -170,21 +163,26 @@ void add_missing(const Bitmap& ink, const Bitmap& missing,
 
 }  // namespace
 
-Status cover_missing(const Bitmap& ink, std::vector<Spot> spots,
+Status dot_missing(const Bitmap& ink, const Bitmap& drawn, const Missing& what,
+                   std::vector<Spot> spots, std::vector<Stroke>& dots) {
+  Result<Bitmap> missing = missing_ink(ink, drawn, what.near);
+  if (!missing) return missing.error();
+  if (missing->ink() == 0) return {};
+  add_missing(ink, *missing, spots);
+  Coverer(*missing, spots, what).run(dots);
+  return {};
+}
+
+Status cover_missing(const Bitmap& ink, const std::vector<Spot>& spots,
                      std::vector<Stroke>& strokes) {
   const Canvas canvas{ink.width(), ink.height(), YAxis::down};
-  const std::size_t traced = spots.size();
-  for (const Pass& pass : kPasses) {
+  for (const Missing& what : kPasses) {
     const Result<Drawing> drawing = stroke_paths(strokes, canvas, {{0, 1}});
     if (!drawing) return drawing.error();
     const Result<Bitmap> drawn = render_paths(*drawing);
     if (!drawn) return drawn.error();
-    Result<Bitmap> missing = missing_ink(ink, *drawn, pass.near);
-    if (!missing) return missing.error();
-    if (missing->ink() == 0) continue;
-    spots.resize(traced);
-    add_missing(ink, *missing, spots);
-    Coverer(*missing, spots, pass).run(strokes);
+    Status dotted = dot_missing(ink, *drawn, what, spots, strokes);
+    if (!dotted) return dotted;
   }
   return {};
 }

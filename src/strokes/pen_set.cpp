@@ -4,24 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <tuple>
 #include <utility>
 
-#include "grid/chain_end.h"
-
 namespace unstep::strokes {
-namespace {
-
-bool above(Point a, Point b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); }
-
-void turn(Stroke& stroke, Point end) {
-  stroke.chain.origin = end;
-  std::ranges::reverse(stroke.chain.steps);
-  for (Step& step : stroke.chain.steps) step ^= 4;
-  std::ranges::reverse(stroke.pieces);
-}
-
-}  // namespace
 
 void share_pens(std::vector<Stroke>& strokes) {
   std::map<std::int32_t, std::uint64_t> steps;
@@ -58,17 +43,6 @@ void share_pens(std::vector<Stroke>& strokes) {
     }
     stroke.pieces = std::move(pieces);
   }
-}
-
-void sort_down(std::vector<Stroke>& strokes) {
-  for (Stroke& stroke : strokes) {
-    if (stroke.chain.closed) continue;
-    const Point end = chain_end(stroke.chain, YAxis::down);
-    if (above(end, stroke.chain.origin)) turn(stroke, end);
-  }
-  std::ranges::stable_sort(strokes, [](const Stroke& a, const Stroke& b) {
-    return above(a.chain.origin, b.chain.origin);
-  });
 }
 
 }  // namespace unstep::strokes

@@ -12,8 +12,4 @@ namespace unstep::strokes {
 /// pixel at least and two at most; so on with the others.
 void share_pens(std::vector<Stroke>& strokes);
 
-/// Turns open strokes and sorts all so that each begins at its upper end, the
-/// topmost first: the order in which neighbours are near each other.
-void sort_down(std::vector<Stroke>& strokes);
-
 }  // namespace unstep::strokes

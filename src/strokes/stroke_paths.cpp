@@ -2,11 +2,17 @@
 #include <utility>
 
 #include "grid/chain_end.h"
+#include "strokes/stroke_anchor.h"
+#include "strokes/stroke_piece.h"
+#include "strokes/stroke_reach.h"
+#include "strokes/stroke_repeat.h"
 #include "unstep/reverse.h"
 #include "unstep/trace.h"
 
 namespace unstep {
 namespace {
+
+using strokes::Piece;
 
 /// The steps as lines, equal ones that follow each other as one.
 Path path_of_steps(const Chain& chain) {
@@ -27,29 +33,6 @@ Path path_of_steps(const Chain& chain) {
   return path;
 }
 
-/// Makes coordinates `factor` times finer. Pixels are below 2^30 / 2^9, but
-/// wider pages may leave the range.
-bool refine(Path& path, std::int32_t factor, Point offset) {
-  const auto fits = [&](std::int64_t v) {
-    return v * factor >= -kMaxCoord / 2 && v * factor <= kMaxCoord / 2;
-  };
-  const auto scale = [&](Point& p) {
-    if (!fits(p.x) || !fits(p.y)) return false;
-    p = {p.x * factor, p.y * factor};
-    return true;
-  };
-  if (!scale(path.origin)) return false;
-  path.origin = {path.origin.x + offset.x, path.origin.y + offset.y};
-  for (Path::Element& element : path.elements) {
-    Point move{element.segment.dx, element.segment.dy};
-    if (!scale(move) || !scale(element.arc.centre) || !scale(element.arc.end)) {
-      return false;
-    }
-    element.segment = {move.x, move.y};
-  }
-  return true;
-}
-
 /// One piece of a stroke.
 Chain chain_of(const Stroke& stroke, Point origin, std::size_t first,
                std::size_t steps) {
@@ -62,74 +45,74 @@ Chain chain_of(const Stroke& stroke, Point origin, std::size_t first,
   return chain;
 }
 
-class StrokePaths {
- public:
-  explicit StrokePaths(const StrokeOptions& options) : options_(options) {
-    const std::int32_t own = exact() ? 1 : path_scale(options.tolerance);
-    factor_ = own == 1 ? 2 : 1;
-    scale_ = own * factor_;
-  }
-
-  [[nodiscard]] std::int32_t scale() const { return scale_; }
-
-  Status add(const Stroke& stroke, std::vector<Path>& paths) const {
+Result<std::vector<Piece>> pieces_of(std::span<const Stroke> strokes) {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const Stroke& stroke = strokes[i];
     Point at = stroke.chain.origin;
     std::size_t used = 0;
-    for (const Stroke::Piece& piece : stroke.pieces) {
-      if (piece.width < 1 || piece.steps > stroke.chain.steps.size() - used) {
+    for (const Stroke::Piece& part : stroke.pieces) {
+      if (part.width < 1 || part.steps > stroke.chain.steps.size() - used) {
         return Error{ErrorCode::invalid_argument,
-                     "the pieces do not fit the chain"};
+                     "stroke " + std::to_string(i + 1) +
+                         ": the pieces do not fit the chain"};
       }
-      const Chain chain = chain_of(stroke, at, used, piece.steps);
-      Result<Path> path = lines_of(chain);
-      if (!path) return path.error();
-      const Point middle{scale_ / 2 * (1 + stroke.shift.x),
-                         scale_ / 2 * (1 + stroke.shift.y)};
-      if (!refine(*path, factor_, middle)) {
-        return Error{ErrorCode::out_of_range,
-                     "the page is too large for half pixels"};
-      }
-      path->width = piece.width * (scale_ / 2);
-      paths.push_back(*std::move(path));
-      at = chain_end(chain, YAxis::down);
-      used += piece.steps;
+      Piece piece;
+      piece.chain = chain_of(stroke, at, used, part.steps);
+      piece.width = part.width;
+      piece.shift = stroke.shift;
+      piece.group = stroke.group;
+      at = chain_end(piece.chain, YAxis::down);
+      used += part.steps;
+      pieces.push_back(std::move(piece));
     }
-    return {};
   }
+  return pieces;
+}
 
- private:
-  [[nodiscard]] bool exact() const { return options_.tolerance.numerator == 0; }
-
-  [[nodiscard]] Result<Path> lines_of(const Chain& chain) const {
-    if (exact()) return path_of_steps(chain);
-    return reverse_tolerance(
-        chain, YAxis::down,
-        {options_.tolerance, options_.effort, options_.arcs});
+/// Lays lines and arcs along all pieces.
+Status lay_lines(std::vector<Piece>& pieces, const StrokeOptions& options) {
+  Drawing chains;
+  chains.canvas.y_axis = YAxis::down;
+  for (const Piece& piece : pieces) chains.chains.push_back(piece.chain);
+  ToleranceOptions lines;
+  lines.tolerance = options.tolerance;
+  lines.effort = options.effort;
+  lines.arcs = options.arcs;
+  lines.aim = options.aim;
+  lines.may_cross = true;
+  Result<Drawing> laid = reverse_tolerance(chains, lines);
+  if (!laid) return laid.error();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    pieces[i].path = std::move(laid->paths[i]);
   }
-
-  StrokeOptions options_;
-  std::int32_t factor_;
-  std::int32_t scale_;
-};
+  return {};
+}
 
 }  // namespace
 
 Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
                              const Canvas& canvas,
                              const StrokeOptions& options) {
-  Drawing drawing;
-  drawing.canvas = canvas;
-  drawing.paint = Paint::stroke;
-  const StrokePaths maker(options);
-  drawing.scale = maker.scale();
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    const Status added = maker.add(strokes[i], drawing.paths);
-    if (!added) {
-      return Error{added.error().code, "stroke " + std::to_string(i + 1) +
-                                           ": " + added.error().message};
+  Result<std::vector<Piece>> pieces = pieces_of(strokes);
+  if (!pieces) return pieces.error();
+  const bool exact = options.tolerance.numerator == 0;
+  const std::int32_t scale = exact ? 1 : path_scale(options.tolerance);
+  if (exact) {
+    for (Piece& piece : *pieces) piece.path = path_of_steps(piece.chain);
+  } else {
+    if (Status laid = lay_lines(*pieces, options); !laid) return laid.error();
+    if (options.aim == LineAim::few_bytes) {
+      strokes::repeat_groups(*pieces, options.tolerance, scale);
+      strokes::anchor_paths(*pieces, options.tolerance, scale);
     }
   }
-  return drawing;
+  if (options.ink != nullptr) {
+    const Status near =
+        strokes::keep_near(*options.ink, options.tolerance, scale, *pieces);
+    if (!near) return near.error();
+  }
+  return strokes::drawing_of(*pieces, canvas, scale);
 }
 
 }  // namespace unstep

@@ -3,6 +3,7 @@
 
 #include "strokes/cover.h"
 #include "strokes/pen_set.h"
+#include "strokes/stroke_order.h"
 #include "trace/edge_noise.h"
 #include "trace/skeleton_graph.h"
 #include "trace/skeleton_pruning.h"
@@ -40,7 +41,7 @@ Result<std::vector<Stroke>> trace_all(const Bitmap& scanned,
   }
   Result<trace::SkeletonGraph> graph = trace::graph_of(ink, skeleton);
   if (!graph) return graph.error();
-  std::vector<trace::Spot> spots = all_spots(*graph);
+  const std::vector<trace::Spot> spots = all_spots(*graph);
   prune_spurs(*graph);
   std::vector<trace::Route> routes = trace::routes_of(ink, *graph);
   *graph = {};
@@ -56,9 +57,9 @@ Result<std::vector<Stroke>> trace_all(const Bitmap& scanned,
     }
   }
   strokes::share_pens(strokes);
-  const Status covered = strokes::cover_missing(ink, std::move(spots), strokes);
+  const Status covered = strokes::cover_missing(ink, spots, strokes);
   if (!covered) return covered.error();
-  strokes::sort_down(strokes);
+  strokes::order_strokes(strokes);
   if (progress && !progress(1, 1)) {
     return Error{ErrorCode::cancelled, "cancelled"};
   }

@@ -301,7 +301,7 @@ class Tip {
   void go_on(Heading heading, Vector2 at, std::size_t kept) {
     append_line(tail_, spots_[kept - 1].at, nearest(at));
     for (int i = 0; i < static_cast<int>(3 * width_) + 4; ++i) {
-      const double far = reach_of(at, heading.along) - width_ / 2;
+      const double far = free_way(at, heading.along);
       if (far <= 0) break;
       at = at + std::min(far, 1.0) * heading.along;
       append_line(tail_, tail_.empty() ? spots_[kept - 1].at : tail_.back().at,
@@ -359,14 +359,18 @@ class Tip {
     return {unit(late + (bend * apart / 2) * Vector2{-late.y, late.x}), bend};
   }
 
-  /// How far the ink goes ahead: the middle of three ways side by side.
-  [[nodiscard]] double reach_of(Vector2 from, Vector2 along) const {
+  /// How far a round tip could go on before it leaves the ink: the middle of
+  /// what seven ways side by side say.
+  [[nodiscard]] double free_way(Vector2 from, Vector2 along) const {
     const Vector2 side{-along.y, along.x};
     const double most = 3 * width_ + 4;
     std::vector<double> ways;
-    for (const double part : {-0.25, 0.0, 0.25}) {
-      ways.push_back(way_out(ink_, from + (part * width_) * side, along, most)
-                         .value_or(most));
+    for (int i = -3; i <= 3; ++i) {
+      const double part = 0.12 * i;
+      const double way =
+          way_out(ink_, from + (part * width_) * side, along, most)
+              .value_or(most);
+      ways.push_back(way - width_ * std::sqrt(0.25 - part * part));
     }
     return median(ways);
   }

@@ -98,7 +98,7 @@ TEST(Golden, EveryCoderHasFiles) {
   }
   for (const int coder :
        {codec::kCoderStored, codec::kCoderContours, codec::kCoderChains,
-        codec::kCoderPaths, codec::kCoderProgram}) {
+        codec::kCoderPaths, codec::kCoderStrokes, codec::kCoderProgram}) {
     EXPECT_NE(texts.find("  coder " + std::to_string(coder) + "."),
               std::string::npos)
         << coder;

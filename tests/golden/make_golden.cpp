@@ -180,6 +180,31 @@ void write_path_file(const fs::path& folder, const std::string& name,
   std::ofstream(folder / "valid" / (name + ".paths")) << text_of(drawing.paths);
 }
 
+/// Groups that repeat in lines, paths that begin on others, and others.
+void write_words(const fs::path& folder) {
+  Drawing words;
+  words.canvas = {400, 300, YAxis::down};
+  words.scale = 2;
+  words.paint = Paint::stroke;
+  for (std::int32_t i = 0; i < 45; ++i) {
+    const Point at{41 + 38 * (i % 15), 60 + 84 * (i / 15)};
+    words.paths.push_back({at, false, 4, {line(0, 20)}});
+    words.paths.push_back({{at.x, at.y + (i % 2 == 0 ? 0 : 10)},
+                           i % 4 == 1,
+                           i % 3 == 0 ? 6 : 4,
+                           {line(8, 0), line(2, 4 + i % 5 / 4 * 2),
+                            line(-10, -4 - i % 5 / 4 * 2)}});
+    if (i % 7 == 6)
+      words.paths.push_back({{at.x + 12, at.y - 8}, false, 6, {}});
+  }
+  words.paths.push_back({{300, 500}, false, 2, {line(60, 0), line(0, -80)}});
+  words.paths.push_back({{330, 500}, false, 2, {line(0, 40), line(30, 6)}});
+  words.paths.push_back(
+      {{360, 420}, false, 2, {arc({10, 10}, {20, 20}, false)}});
+  write_path_file(folder, "strokes_words", words,
+                  {Fidelity::Kind::tolerance, {1, 1}}, {});
+}
+
 /// Each kind of element, start and size that the coder knows.
 void write_paths(const fs::path& folder) {
   Drawing shapes;
@@ -217,6 +242,8 @@ void write_paths(const fs::path& folder) {
   write_path_file(folder, "paths_strokes", strokes,
                   {Fidelity::Kind::tolerance, {3, 4}},
                   {"strokes", {}, {{"svg:title", "strokes"}}});
+
+  write_words(folder);
 
   Drawing device;
   device.canvas = {300, 300, YAxis::down};

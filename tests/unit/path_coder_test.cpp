@@ -141,7 +141,7 @@ TEST(PathCoder, StopsWhenTheCallerWantsTo) {
 
 TEST(PathCoder, RefusesOtherNames) {
   for (const codec::CoderName& name :
-       {codec::CoderName{25, 0, 0}, codec::CoderName{24, 7, 0},
+       {codec::CoderName{26, 0, 0}, codec::CoderName{24, 7, 0},
         codec::CoderName{24, 0, 9}, codec::CoderName{16, 0, 0}}) {
     const auto decoded = decode_paths(name, {}, 0, 0, {});
     ASSERT_FALSE(decoded);

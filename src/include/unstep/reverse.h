@@ -198,6 +198,9 @@ struct ToleranceOptions {
   /// as one pass or more. fast: few_lines. max: more is tried, several times as
   /// long.
   LineAim aim = LineAim::few_lines;
+  /// Lines may cross where the chains do not, at any tolerance: for strokes,
+  /// which lie on each other as they are.
+  bool may_cross = false;
 };
 
 /// What reverse_tolerance did.
@@ -215,7 +218,7 @@ struct ToleranceReport {
 /// 0 or spans more than 2^24 path units. Closed chains of up to 8 steps keep
 /// their corners; a larger one that encloses ink keeps an inside.
 /// At a tolerance of at most 1, contours that were simple do not cross
-/// themselves or each other.
+/// themselves or each other, unless they may.
 /// invalid_argument for chains that are not valid or a drawing with paths,
 /// out_of_range for the tolerance.
 Result<Drawing> reverse_tolerance(const Drawing& drawing,

@@ -9,6 +9,7 @@
 #include "unstep/bitmap.h"
 #include "unstep/grid.h"
 #include "unstep/result.h"
+#include "unstep/reverse.h"
 
 /// Ink to contours and back; pulses of encoders to unit steps.
 namespace unstep {
@@ -56,6 +57,8 @@ struct Stroke {
   Point shift;
   /// In order, together all steps; one if the width is the same all along.
   std::vector<Piece> pieces;
+  /// Strokes that touch have the same number: a letter, a net of lines.
+  std::uint32_t group = 0;
 };
 
 /// The ink as strokes: thinned, freed from what noise and the ends of thick
@@ -66,7 +69,10 @@ struct Stroke {
 /// ink does. Widths come from the distances to paper; where they change by more
 /// than two pixels a stroke has pieces. Ink that these strokes miss by more
 /// than 2.24 pixels, or by 2 where four pixels are (blots on lines, filled
-/// shapes), is dotted with pens that reach its edge, at the end of the list.
+/// shapes), is dotted with pens that reach its edge.
+///
+/// Strokes that touch stand together, groups in the order of reading and large
+/// ones last; in a group strokes come after those on which they begin.
 ///
 /// The same ink gives the same strokes on every machine. invalid_argument for
 /// an empty bitmap, limit_exceeded for a skeleton of more than 2^31 pixels.
@@ -84,6 +90,14 @@ struct StrokeOptions {
   Rational tolerance{1, 1};
   Effort effort = Effort::standard;
   bool arcs = true;
+  /// few_bytes: cheap for UstpWriter, still within the tolerance. Small groups
+  /// of strokes that are alike become the same paths; paths begin on others.
+  LineAim aim = LineAim::few_lines;
+  /// The ink that the strokes are of, if what is drawn shall be within two
+  /// pixels of it, or the tolerance and one, and it of what is drawn: paths are
+  /// then nearer to their chains where that is needed, pens narrower, and dots
+  /// cover what is left. Of its size as the canvas; not owned.
+  const Bitmap* ink = nullptr;
 };
 Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
                              const Canvas& canvas,
