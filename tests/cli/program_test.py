@@ -34,6 +34,43 @@ class Programs(harness.CliTest):
                                      r"1 arc, [\d,]+ bytes -> \d+\n$")
         self.assertEqual(self.text("out.ngc").count("\n"), 5)
 
+    def test_verify_measures_what_is_shorter(self):
+        self.given("in.ngc", circle(300))
+        self.run_cli("convert", "in.ngc", "out.ngc", "--tolerance", "0.05mm")
+        self.run_cli("compress", "in.ngc", "--tolerance", "0.05mm")
+        for name in ("out.ngc", "in.ustp"):
+            result = self.run_cli("verify", "in.ngc", name, *(
+                ["--tolerance", "0.05mm"] if name == "out.ngc" else []))
+            self.assertEqual((result.code, result.err), (0, ""))
+            self.assertRegex(result.out, name + r": deviates by up to "
+                             r"0\.0\d+ mm, of 0\.05 mm allowed, at \(.*\), "
+                             r"line \d+\n.* are the same within the bound: ")
+        self.given("far.ngc", self.text("out.ngc").replace("X20", "X20.06"))
+        result = self.run_cli("verify", "in.ngc", "far.ngc",
+                              "--tolerance", "0.05mm")
+        self.assertEqual((result.code, result.err), (1, ""))
+        self.assertRegex(result.out, r"^in\.ngc and far\.ngc differ: deviates "
+                         r"by up to 0\.06\d* mm, of 0\.05 mm allowed, at "
+                         r"\(20, 0, 0\), line 3\n$")
+        result = self.run_cli("verify", "in.ngc", "far.ngc",
+                              "--tolerance", "2px")
+        self.assertEqual(result.code, 2)
+
+    def test_loops_are_carried_out_within_a_limit(self):
+        self.given("in.ngc", HEAD + "o1 repeat [3]\nG91 G1 X1\n"
+                   "o1 endrepeat\nM2\n")
+        result = self.run_cli("convert", "in.ngc", "out.ngc")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.text("out.ngc").count("X1\n"), 3)
+        self.given("in.ngc", "G0 X1\no1 while [1]\no1 endwhile\nM2\n")
+        result = self.run_cli("convert", "in.ngc", "no.ngc",
+                              "--max-lines", "1000")
+        self.assertEqual(result.code, 3)
+        self.assertEqual(result.err,
+                         "unstep: in.ngc: line 3: more than the limit of 1000 "
+                         "lines carried out: a loop may have no end\n")
+        self.assertEqual(self.names(), ["in.ngc", "out.ngc"])
+
     def test_without_tolerance_every_motion_stays(self):
         self.given("in.nc", HEAD + "G02 X30 R5\nM2\n")
         result = self.run_cli("convert", "in.nc", "out.tap",
