@@ -22,6 +22,12 @@ class LineSearch {
   /// longest but where many ends near that segment's own do not do.
   std::size_t longest(std::size_t at, Segment& best);
 
+  /// Whether the line to the end of `count` steps makes just these.
+  bool is_line(std::size_t at, std::size_t count, Segment& line) {
+    line = ends_at(at, count);
+    return draws(at, count, line);
+  }
+
  private:
   [[nodiscard]] std::size_t line_bound(std::size_t at, std::size_t most) const;
   [[nodiscard]] std::size_t straight_bound(std::size_t at,
