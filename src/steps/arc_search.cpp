@@ -27,12 +27,12 @@ std::size_t ArcSearch::matched(const Arc& arc, bool& whole) const {
       return count;
     }
     const std::size_t most = std::min(n, steps_.size() - count);
-    const auto same =
-        std::mismatch(part.begin(), part.begin() + most, steps_.begin() + count)
-            .first -
-        part.begin();
-    count += static_cast<std::size_t>(same);
-    if (static_cast<std::size_t>(same) < n) return count;
+    const Step* const here = steps_.data() + count;
+    const Step* const stop =
+        std::mismatch(here, here + most, part.data()).first;
+    const auto same = static_cast<std::size_t>(stop - here);
+    count += same;
+    if (same < n) return count;
   }
 }
 
