@@ -14,7 +14,7 @@
 #include "steps/arc_search.h"
 #include "steps/exact_lines.h"
 #include "steps/format.h"
-#include "steps/line3.h"
+#include "steps/line3_search.h"
 #include "steps/reverse_arc.h"
 #include "steps/words.h"
 #include "unstep/step_stream.h"
@@ -23,10 +23,10 @@
 namespace unstep {
 namespace {
 
-using GridDelta = std::array<std::int32_t, kMaxStepAxes>;
+using steps::GridDelta;
 
-/// How many steps are looked at for one line of three axes.
-constexpr std::size_t kReach = std::size_t{1} << 22;
+/// No line has more steps.
+using steps::kReach;
 
 /// Writes the elements of runs as text.
 class Reverser {
@@ -244,60 +244,10 @@ class Reverser {
   void lines3(const StepRun& run) {
     for (std::size_t at = 0; at < run.words.size() && in_range_;) {
       GridDelta delta{};
-      const std::size_t count = longest_line3(run.words, at, delta);
+      const std::size_t count = steps::longest_line3(run.words, at, delta);
       put_line(run, at, at + count, delta);
       at += count;
     }
-  }
-
-  static GridDelta sum3(const std::vector<StepWord>& words, std::size_t at,
-                        std::size_t count) {
-    GridDelta delta{};
-    for (std::size_t i = at; i < at + count; ++i) {
-      for (std::size_t axis = 0; axis < kMaxStepAxes; ++axis) {
-        delta[axis] += step_of(words[i], axis);
-      }
-    }
-    return delta;
-  }
-
-  /// How far the line to the end of `count` steps goes along with them; `count`
-  /// if it is drawn by them.
-  static std::size_t matched3(const std::vector<StepWord>& words,
-                              std::size_t at, std::size_t count,
-                              const GridDelta& delta) {
-    steps::Line3 line(delta);
-    if (line.count() != count) return 0;
-    std::size_t i = 0;
-    while (i < count && line.next() == words[at + i]) ++i;
-    return i;
-  }
-
-  static std::size_t longest_line3(const std::vector<StepWord>& words,
-                                   std::size_t at, GridDelta& best) {
-    const std::size_t most = std::min(words.size() - at, kReach);
-    std::size_t good = 1;
-    best = sum3(words, at, 1);
-    // Doubling while something on the way fits, then every end above the last.
-    std::size_t reach = 2;
-    while (reach / 2 <= good * 2 && reach / 2 < most) {
-      const std::size_t end = std::min(reach, most);
-      GridDelta delta = sum3(words, at, end);
-      int tries = 0;
-      for (std::size_t count = end; count > good && tries < 4096; --count) {
-        if (matched3(words, at, count, delta) == count) {
-          good = count;
-          best = delta;
-          break;
-        }
-        ++tries;
-        for (std::size_t axis = 0; axis < kMaxStepAxes; ++axis) {
-          delta[axis] -= step_of(words[at + count - 1], axis);
-        }
-      }
-      reach *= 2;
-    }
-    return good;
   }
 
   StepHead head_;
