@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "formats/gcode_number.h"
 #include "formats/gcode_tool.h"
-#include "formats/gcode_writer_number.h"
 #include "formats/outline.h"
 #include "unstep/program.h"
 

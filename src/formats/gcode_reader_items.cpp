@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <string>
 
+#include "formats/gcode_number.h"
 #include "formats/gcode_reader_class.h"
-#include "formats/gcode_writer_number.h"
 
 /// What the lines become, and what is said about them.
 namespace unstep {

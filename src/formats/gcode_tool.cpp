@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "formats/gcode_writer_number.h"
+#include "formats/gcode_number.h"
 
 namespace unstep {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "formats/gcode_writer_number.h"
+#include "formats/gcode_number.h"
 #include "grid/wide_product.h"
 #include "steps/arc_search.h"
 #include "steps/exact_lines.h"

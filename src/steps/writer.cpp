@@ -6,7 +6,7 @@
 #include "codec/byte_writer.h"
 #include "codec/checksum.h"
 #include "formats/decimal.h"
-#include "formats/gcode_writer_number.h"
+#include "formats/gcode_number.h"
 #include "steps/format.h"
 #include "unstep/step_stream.h"
 
