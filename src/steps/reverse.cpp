@@ -158,6 +158,9 @@ class Reverser {
       }
       later.reset();
       if (options_.arcs && !run.rapid) later = shorten(lines, at, element);
+      if (!later && !element.arc) {
+        element.count = lines.before_next(at, element.count, element.line);
+      }
       if (element.arc) {
         put_arc(run, at, *element.arc);
       } else {

@@ -9,8 +9,10 @@
 namespace unstep::steps {
 namespace {
 
-/// How far around a centre that points say is looked.
-constexpr std::int32_t kAround = 2;
+/// How far around a centre that points say is looked: along the arc, and
+/// towards it, where a flat arc says less.
+constexpr double kAside = 1.6;
+constexpr double kAlong = 8.5;
 
 /// A bend is taken for one of a circle if it is seen over so many steps, and
 /// so far from straight.
@@ -45,22 +47,6 @@ std::optional<Point> centre_of(Point origin, Point a, Point b) {
                origin.y + static_cast<std::int32_t>(std::lround(y))};
 }
 
-/// Looks around the centre that three points say.
-void try_reach(ArcSearch& search, std::size_t reach) {
-  // Of a closed figure the end is the start again.
-  const std::size_t third = search.point(reach) == Point{} ? 3 : 2;
-  const Point p = search.point(reach / third);
-  const Point q = search.point(third == 3 ? 2 * reach / 3 : reach);
-  const std::optional<Point> centre = centre_of({}, p, q);
-  if (!centre) return;
-  const bool clockwise = side({}, p, q) < 0;
-  for (std::int32_t dy = -kAround; dy <= kAround; ++dy) {
-    for (std::int32_t dx = -kAround; dx <= kAround; ++dx) {
-      search.try_centre({centre->x + dx, centre->y + dy}, clockwise);
-    }
-  }
-}
-
 /// Points on the way, spread evenly.
 constexpr std::size_t kSamples = 9;
 using Samples = std::array<Point, kSamples>;
@@ -86,15 +72,87 @@ Ring ring_of(const Samples& samples, Point centre) {
   return ring;
 }
 
+/// One step of Gauss and Newton from a centre towards the circle nearest to
+/// many points of the way, in the mean of squares: what rounding to the grid
+/// has moved them by cancels.
+Point refined(std::span<const Point> points, std::size_t reach, Point centre) {
+  const std::size_t count = std::min<std::size_t>(reach + 1, 1024);
+  // The normal equations of the centre, the radius eliminated.
+  double sx = 0, sy = 0, sr = 0, xx = 0, xy = 0, yy = 0, xr = 0, yr = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point p = points[i * reach / (count - 1)];
+    const double dx = double{1} * p.x - centre.x;
+    const double dy = double{1} * p.y - centre.y;
+    const double r = std::max(std::hypot(dx, dy), 1e-9);
+    const double ux = dx / r;
+    const double uy = dy / r;
+    sx += ux, sy += uy, sr += r;
+    xx += ux * ux, xy += ux * uy, yy += uy * uy;
+    xr += ux * r, yr += uy * r;
+  }
+  const auto n = static_cast<double>(count);
+  xx -= sx * sx / n, xy -= sx * sy / n, yy -= sy * sy / n;
+  xr -= sx * sr / n, yr -= sy * sr / n;
+  const double determinant = xx * yy - xy * xy;
+  if (!(std::abs(determinant) > 1e-9)) return centre;
+  const double x = (xr * yy - yr * xy) / determinant;
+  const double y = (yr * xx - xr * xy) / determinant;
+  constexpr double kFar = 1 << 20;
+  if (!(std::abs(x) < kFar) || !(std::abs(y) < kFar)) return centre;
+  return {centre.x + static_cast<std::int32_t>(std::lround(x)),
+          centre.y + static_cast<std::int32_t>(std::lround(y))};
+}
+
+/// Calls take(centre) for the places around `centre` where that of an arc
+/// through `middle` may be.
+template <class Take>
+void visit_around(Point centre, Point middle, Take&& take) {
+  const double radius = std::max(way(centre, middle), 1.0);
+  const double nx = (double{1} * middle.x - centre.x) / radius;
+  const double ny = (double{1} * middle.y - centre.y) / radius;
+  constexpr auto kMost = static_cast<std::int32_t>(kAlong);
+  for (std::int32_t dy = -kMost; dy <= kMost; ++dy) {
+    for (std::int32_t dx = -kMost; dx <= kMost; ++dx) {
+      const bool near = dx >= -2 && dx <= 2 && dy >= -2 && dy <= 2;
+      if (!near && (std::abs(dx * ny - dy * nx) > kAside ||
+                    std::abs(dx * nx + dy * ny) > kAlong)) {
+        continue;
+      }
+      take(Point{centre.x + dx, centre.y + dy});
+    }
+  }
+}
+
+/// Looks around the centre of the circle through the way up to `reach`, if it
+/// is one.
+void try_reach(ArcSearch& search, std::span<const Point> points,
+               std::size_t reach) {
+  const Point a = points[0];
+  // Of a closed figure the end is the start again.
+  const bool closed = points[reach] == a;
+  const Point p = points[closed ? reach / 3 : reach / 2];
+  const Point q = points[closed ? 2 * reach / 3 : reach];
+  const std::optional<Point> centre = centre_of(a, p, q);
+  if (!centre) return;
+  const Ring ring = ring_of(samples_of(points, reach), *centre);
+  if (ring.high - ring.low > 3) return;
+  const bool clockwise = side(a, p, q) < 0;
+  visit_around(refined(points, reach, *centre), p, [&](Point at) {
+    search.try_centre({at.x - a.x, at.y - a.y}, clockwise);
+  });
+}
+
 /// The circle that the points follow from the first on, seen as far as it
 /// goes.
 struct Bend {
   Point centre;
+  Point middle;  ///< of the way seen
   bool clockwise = false;
   Samples samples{};
 };
 std::optional<Bend> bend_of(std::span<const Point> points) {
   std::optional<Bend> found;
+  std::size_t seen = 0;
   for (std::size_t reach = kLeastBend; reach < points.size();
        reach += reach / 2) {
     const Samples samples = samples_of(points, reach);
@@ -108,8 +166,10 @@ std::optional<Bend> bend_of(std::span<const Point> points) {
     const double chord = way(a, b);
     const double turn = side(a, b, middle);
     if (std::abs(turn) < kLeastSagitta * chord) continue;
-    found = Bend{*centre, side(a, middle, b) < 0, samples};
+    found = Bend{*centre, middle, side(a, middle, b) < 0, samples};
+    seen = reach;
   }
+  if (found) found->centre = refined(points, seen, found->centre);
   return found;
 }
 
@@ -125,7 +185,7 @@ std::optional<ExactArc> longest_arc(std::span<const Step> steps,
   search.set_least(least);
   // From the longest reach: what a shorter one finds is mostly as long.
   for (std::size_t reach = steps.size(); reach > least; reach = reach * 2 / 3) {
-    try_reach(search, reach);
+    try_reach(search, points, reach);
     if (search.best().steps >= reach) break;
   }
   if (search.best().steps <= least) return std::nullopt;
@@ -144,11 +204,9 @@ std::optional<LaterArc> later_arc(
   LaterArc found;
   std::size_t end = last + kLeastBend;
   bool closed = false;  // the end found is on the circle
-  for (std::int32_t n = 0; n < (2 * kAround + 1) * (2 * kAround + 1); ++n) {
-    const Point centre{bend->centre.x + n % (2 * kAround + 1) - kAround,
-                       bend->centre.y + n / (2 * kAround + 1) - kAround};
+  visit_around(bend->centre, bend->middle, [&](Point centre) {
     const Ring ring = ring_of(bend->samples, centre);
-    if (ring.high - ring.low > 1.5) continue;
+    if (ring.high - ring.low > 1.5) return;
     for (std::size_t at = last; at >= first && at + back > last; --at) {
       const double away = way(points[at], centre);
       if (away < ring.high - 1.25 || away > ring.low + 1.25) continue;
@@ -166,7 +224,7 @@ std::optional<LaterArc> later_arc(
       end = at + best.steps;
       closed = on;
     }
-  }
+  });
   if (found.arc.steps == 0) return std::nullopt;
   return found;
 }
