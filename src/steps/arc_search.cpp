@@ -8,6 +8,14 @@
 
 namespace unstep::steps {
 
+namespace {
+
+/// Steps from a circle to an end that is off it by less than one, and some that
+/// go straight where the circle does not.
+constexpr std::size_t kBeyond = 4;
+
+}  // namespace
+
 /// Steps that an arc draws as given, from the first on; `whole`: it draws no
 /// other.
 std::size_t ArcSearch::matched(const Arc& arc, bool& whole) const {
@@ -66,7 +74,10 @@ void ArcSearch::try_centre(Point centre, bool clockwise) {
   if (centre == Point{}) return;
   bool whole = false;
   std::size_t count = matched({centre, {}, clockwise}, whole);
-  // The last steps may lead to an end that is not on the circle.
+  if (count + kBeyond <= best_.steps) return;
+  // The last steps may lead to an end that is not on the circle, away from it
+  // too.
+  count = std::min(count + kBeyond, steps_.size());
   constexpr int kBack = 64;
   int tries = 0;
   while (count > best_.steps && !is_end(centre, clockwise, count)) {
