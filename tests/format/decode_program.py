@@ -11,7 +11,7 @@ import sys
 import zlib
 
 from decisions import RAW, Decisions, digits, mix
-from decode_ink import varint
+from decode_ink import skip_details, varint
 from entropy import Damaged, Interval
 from program_state import AXES, F, I, J, KAY, R, S, X, Y, State, half, level
 
@@ -233,16 +233,22 @@ class Lines:
 
 def decode(data):
     """Start of every file, Short form. Returns the program's text."""
-    if data[:4] != b"\xf5\x55\x0d\x0a" or data[4] & 0xFF != 0x80:
+    flags = data[4]
+    if data[:4] != b"\xf5\x55\x0d\x0a" or flags & 0xD3 != 0x80:
         raise Damaged("not a short form with paths")
-    if data[5:7] != b"\0\0" or data[7] & 0xDC != 0x40:
+    width, at = varint(data, 5)
+    if width or not flags & 4:
         raise Damaged("no program")
-    fidelity, at = data[7], 8
+    if flags & 32:
+        at = skip_details(data, at)
+    fidelity, at = data[at], at + 1
+    if fidelity & 0xDC != 0x40:
+        raise Damaged("no program")
     for _ in range((fidelity & 3 == 1) + (fidelity >> 5 & 1)):
         _, at = varint(data, at)
-    if data[at] != 28:
+    if not flags & 8:
         raise Damaged("another coder than 28")
-    count, at = varint(data, at + 1)
+    count, at = varint(data, at)
     size, at = varint(data, at)
     head, stored, payload = data[4:at], data[at:at + 4], data[at + 4:]
     text = b""
