@@ -165,10 +165,15 @@ Result<GcodePlace> GcodeFlow::run_jump(const GcodeFlowWord& word,
   if (word.key == Key::next && open->key == Key::check_while) {
     return open->begin;
   }
-  if (word.key == Key::next && open->key == Key::loop) {
-    // LinuxCNC 2.9 leaves the loop there, against its manual; others do not.
+  // LinuxCNC 2.9 then forgets do loops that are open, against its manual;
+  // others do not. Leaving the do loop itself is the same everywhere.
+  const bool leaves_do = word.key == Key::leave && open->key == Key::loop;
+  const auto in_do =
+      std::count_if(open_.begin(), open_.end(),
+                    [](const Open& other) { return other.key == Key::loop; });
+  if (in_do > (leaves_do ? 1 : 0)) {
     return Error{ErrorCode::unsupported,
-                 written(word.key, word.label) + " of a do loop"};
+                 written(word.key, word.label) + " in a do loop"};
   }
   const Result<Found> end = find_end(*open, next);
   if (!end) return end.error();
@@ -216,10 +221,11 @@ Result<GcodePlace> GcodeFlow::leave(const GcodeFlowWord& word,
     return without(word, "a call of it");
   }
   parameters.leave();
-  if (!word.numbers.empty()) {
-    parameters.assign({true, 0, "_VALUE", true}, {word.numbers[0], true});
-    parameters.assign({true, 0, "_VALUE_RETURNED", true}, {1, true});
-  }
+  const bool returns = !word.numbers.empty();
+  parameters.assign({true, 0, "_VALUE", true},
+                    {returns ? word.numbers[0] : 0, true});
+  parameters.assign({true, 0, "_VALUE_RETURNED", true},
+                    {returns ? 1.0 : 0.0, true});
   const GcodePlace back = calls_.back().back;
   open_.resize(calls_.back().open);
   calls_.pop_back();

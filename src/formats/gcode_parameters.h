@@ -52,7 +52,8 @@ class GcodeParameters {
   [[nodiscard]] const Names& names_of(const std::string& name) const;
 
   std::unordered_map<std::uint32_t, double> numbered_;
-  Names global_;
+  /// LinuxCNC has these two before any call.
+  Names global_{{"_VALUE", 0}, {"_VALUE_RETURNED", 0}};
   Names local_;
   std::vector<Scope> callers_;
 };

@@ -63,6 +63,9 @@ TEST(gcode_flow, subroutines_have_arguments_and_names_of_their_own) {
   EXPECT_EQ(xs("o1 call [3]\nG0 X9\nM2\no1 sub\no2 if [#1 LE 0]\no1 return\n"
                "o2 endif\nG0 X#1\no1 call [#1-1]\nX[#1*10]\no1 endsub\n"),
             "3 2 1 10 20 30 9 ");
+  EXPECT_EQ(xs("G0 X#<_value>\no1 sub\no1 endsub [5]\no2 sub\no1 call\n"
+               "X#<_value>\no2 endsub\no2 call\nX#<_value>\n"),
+            "0 5 0 ");
 }
 
 TEST(gcode_flow, lines_that_stay_text_have_their_values) {
