@@ -9,46 +9,11 @@
 
 #include "cli/content.h"
 #include "cli/message.h"
+#include "cli/program_difference.h"
 #include "cli/reshape.h"
-#include "unstep/program.h"
 
 namespace unstep::cli {
 namespace {
-
-/// Of two programs; what is not understood is left out.
-std::optional<std::string> first_motion(const Page& a, const Page& b) {
-  const Result<Program> first = read_gcode(a.program, {});
-  if (!first) return "the first is no program: " + first.error().message;
-  const Result<Program> second = read_gcode(b.program, {});
-  if (!second) return "the second is no program: " + second.error().message;
-  const auto in_a = program_moves(*first, true);
-  const auto in_b = program_moves(*second, true);
-  if (!in_a || !in_b) return "the motions cannot be told";
-  // Inches have decimals that mm have not.
-  const auto near = [](std::int64_t x, std::int64_t y) {
-    return std::abs(x - y) <= 254;
-  };
-  const std::size_t count = std::min(in_a->size(), in_b->size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const ProgramMove& x = (*in_a)[i];
-    const ProgramMove& y = (*in_b)[i];
-    const bool arc = x.kind == ProgramItem::Kind::clockwise ||
-                     x.kind == ProgramItem::Kind::counter;
-    if (x.kind != y.kind || x.plane != y.plane ||
-        !std::equal(x.end.begin(), x.end.end(), y.end.begin(), near) ||
-        (arc && !std::equal(x.centre.begin(), x.centre.end(), y.centre.begin(),
-                            near)) ||
-        std::abs(x.feed - y.feed) > 1e-3 || x.spindle != y.spindle) {
-      return fmt::format(
-          "motion {}, line {} of the first, differs from line "
-          "{} of the second",
-          i + 1, x.line, y.line);
-    }
-  }
-  if (in_a->size() == in_b->size()) return std::nullopt;
-  return fmt::format("{} in the first and {} in the second",
-                     counted(in_a->size(), "motion"), grouped(in_b->size()));
-}
 
 std::optional<std::string> first_pixel(const Bitmap& a, const Bitmap& b) {
   std::uint64_t differing = 0;

@@ -200,6 +200,14 @@ void add_program(CLI::App& verb, ProgramOptions& options) {
                            {"off", BlockDelete::execute}},
                           "Programs: lines with \"/\" are left out: on, "
                           "carried out: off, kept as they are: keep [keep]");
+  add_choice<bool>(verb, "--flow", options.read.execute_flow,
+                   {{"run", true}, {"keep", false}},
+                   "Programs: subroutines, loops and branches are carried out: "
+                   "run, or kept with all that follows: keep [run]");
+  verb.add_option("--max-lines", options.read.limits.max_executed_lines,
+                  "Programs: lines carried out in loops and subroutines "
+                  "[10000000]")
+      ->type_name("N");
   add_program_lines(verb, "--header", options.write.header,
                     "Programs: lines before all others; \\n between them");
   add_program_lines(verb, "--footer", options.write.footer,

@@ -33,7 +33,7 @@ void add_program_lines(CLI::App& verb, const char* name, std::string& lines,
                        const char* help);
 
 /// --profile, --units, --decimals, --arc-words, --quadrants, --strict,
-/// --block-delete, --header, --footer and --dense.
+/// --block-delete, --flow, --max-lines, --header, --footer and --dense.
 void add_program(CLI::App& verb, ProgramOptions& options);
 
 /// --tolerance of a program in mm, never more. invalid_argument for pixels.

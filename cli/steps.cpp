@@ -134,6 +134,9 @@ void add_steps(CLI::App& app, Context& context) {
                  "Programs: leave out what is not understood");
   add_timing(*verb, *options);
   add_lines(*verb, options->lines);
+  verb->get_option("--no-arcs")
+      ->description("Recorded steps become lines only")
+      ->remove_needs(verb->get_option("--tolerance"));
   add_unit_size(*verb, options->draw);
   add_page(*verb, options->page);
   add_pixels(*verb, options->read);

@@ -13,7 +13,9 @@
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/pack.h"
+#include "cli/program_difference.h"
 #include "cli/progress.h"
+#include "cli/quantity.h"
 #include "cli/reshape.h"
 #include "cli/source.h"
 #include "cli/unpack.h"
@@ -28,6 +30,7 @@ struct VerifyOptions {
   InputOptions read;
   bool compare = false;
   std::string overlay;
+  double tolerance_mm = 0;  ///< of programs; 0: what the second says
   bool force = false;
   bool quiet = false;
 };
@@ -38,6 +41,8 @@ constexpr const char* kExamples =
     "                                          damaged one\n"
     "  unstep verify page.tif page.ustp        is it the same drawing?\n"
     "  unstep verify plan.png plan.ustp        how far are its lines off?\n"
+    "  unstep verify part.ngc part.ustp        how far are its motions off?\n"
+    "  unstep verify part.ngc short.ngc --tolerance 0.005mm\n"
     "  unstep verify scan.png strokes.ustp --overlay off.svg\n"
     "  unstep verify --compare old.ustp new.ustp\n";
 
@@ -69,6 +74,15 @@ std::optional<std::string> page_difference(const Page& a, const Page& b,
 bool stands_for(const Page& original, const Page& lines) {
   return original.kind != PageKind::paths && lines.kind == PageKind::paths &&
          lines.fidelity.kind != Fidelity::Kind::exact;
+}
+
+/// What a program may deviate by from another; 0 if it may not.
+double program_bound(const VerifyOptions& options, const Page& a,
+                     const Page& b) {
+  if (a.kind != PageKind::program || b.kind != PageKind::program) return 0;
+  if (options.tolerance_mm > 0) return options.tolerance_mm;
+  return b.fidelity.kind == Fidelity::Kind::tolerance ? bound_of(b.fidelity)
+                                                      : 0;
 }
 
 /// A page, or the message that there is none.
@@ -160,6 +174,17 @@ ExitCode compare(const VerifyOptions& options) {
       deviations.push_back(
           on_page(i, count, describe_deviation(*found, page_b->fidelity)));
       if (found->distance <= bound_of(page_b->fidelity)) continue;
+      say(options, fmt::format("{} and {} differ: {}", name_a, name_b,
+                               deviations.back()));
+      return ExitCode::some_failed;
+    }
+    if (const double bound = program_bound(options, *page_a, *page_b);
+        bound > 0) {
+      const Result<ProgramVerdict> found =
+          judge_program(*page_a, *page_b, bound);
+      if (!found) return report_error(name_b, found.error());
+      deviations.push_back(on_page(i, count, found->text));
+      if (found->within) continue;
       say(options, fmt::format("{} and {} differ: {}", name_a, name_b,
                                deviations.back()));
       return ExitCode::some_failed;
@@ -267,6 +292,23 @@ void add_verify(CLI::App& app, Context& context) {
                    "Write an SVG picture of both: ink of both grey, of the "
                    "first alone red, of the second alone blue")
       ->type_name("OUT.svg");
+  verb->add_option_function<std::string>(
+          "--tolerance",
+          [options](const std::string& text) {
+            const Result<Quantity> length = parse_quantity(text);
+            if (!length || length->unit == Quantity::Unit::grid ||
+                !(length->value > 0)) {
+              throw CLI::ValidationError(
+                  "--tolerance", length
+                                     ? "programs have no pixels: give mm or in"
+                                     : length.error().message);
+            }
+            options->tolerance_mm = length->unit == Quantity::Unit::inch
+                                        ? length->value * 25.4
+                                        : length->value;
+          },
+          "Of programs: the second may be so far off [what it says]")
+      ->type_name("LENGTH");
   add_force(*verb, options->force);
   add_input_kind(*verb, options->read);
   add_jobs(*verb, options->read.jobs);

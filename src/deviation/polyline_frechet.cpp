@@ -5,32 +5,52 @@
 
 namespace unstep::deviation {
 
-bool PolylineFrechet::near(Place a, Place b) const {
-  const long double x = a.x - b.x;
-  const long double y = a.y - b.y;
-  return x * x + y * y <= bound_ * bound_;
+namespace {
+
+// The difference of two places, its products with another, and how far that
+// is off its line times its length; in the plane without cancellation.
+Place minus(Place a, Place b) { return {a.x - b.x, a.y - b.y}; }
+long double dot(Place a, Place b) { return a.x * b.x + a.y * b.y; }
+long double off_line(Place d, Place q) { return d.x * q.y - d.y * q.x; }
+
+Place3 minus(Place3 a, Place3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+long double dot(Place3 a, Place3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+long double off_line(Place3 d, Place3 q) {
+  const Place3 across{d.y * q.z - d.z * q.y, d.z * q.x - d.x * q.z,
+                      d.x * q.y - d.y * q.x};
+  return std::sqrt(dot(across, across));
 }
 
-PolylineFrechet::Cut PolylineFrechet::cut(Place from, Place to,
-                                          Place centre) const {
-  const long double dx = to.x - from.x;
-  const long double dy = to.y - from.y;
-  const long double qx = centre.x - from.x;
-  const long double qy = centre.y - from.y;
-  const long double length2 = dx * dx + dy * dy;
+}  // namespace
+
+template <class Point>
+bool BasicPolylineFrechet<Point>::near(Point a, Point b) const {
+  const Point d = minus(a, b);
+  return dot(d, d) <= bound_ * bound_;
+}
+
+template <class Point>
+auto BasicPolylineFrechet<Point>::cut(Point from, Point to, Point centre) const
+    -> Cut {
+  const Point d = minus(to, from);
+  const Point q = minus(centre, from);
+  const long double length2 = dot(d, d);
   if (length2 == 0) return {near(from, centre), 0, 1};
   const long double length = std::sqrt(length2);
-  const long double off = (dx * qy - dy * qx) / length;
+  const long double off = off_line(d, q) / length;
   const long double rest = bound_ * bound_ - off * off;
   if (rest < 0) return {};
-  const long double middle = (dx * qx + dy * qy) / length2;
+  const long double middle = dot(d, q) / length2;
   const long double half = std::sqrt(rest) / length;
   const Cut found{true, std::max(middle - half, 0.0L),
                   std::min(middle + half, 1.0L)};
   return found.low <= found.high ? found : Cut{};
 }
 
-bool PolylineFrechet::within(long double bound) {
+template <class Point>
+bool BasicPolylineFrechet<Point>::within(long double bound) {
   bound_ = bound;
   stuck_ = 0;
   entries_.clear();
@@ -54,9 +74,10 @@ bool PolylineFrechet::within(long double bound) {
   return last_;
 }
 
-void PolylineFrechet::row(std::size_t j) {
-  const Place a = path_[j];
-  const Place b = path_[j + 1];
+template <class Point>
+void BasicPolylineFrechet<Point>::row(std::size_t j) {
+  const Point a = path_[j];
+  const Point b = path_[j + 1];
   const std::size_t edges = chain_.size() - 1;
   std::size_t entry = 0;
   std::size_t i = corner_ ? 0 : entries_.front().edge;
@@ -93,5 +114,8 @@ void PolylineFrechet::row(std::size_t j) {
   corner_ = corner_ && near(chain_.front(), b);
   entries_.swap(next_);
 }
+
+template class BasicPolylineFrechet<Place>;
+template class BasicPolylineFrechet<Place3>;
 
 }  // namespace unstep::deviation

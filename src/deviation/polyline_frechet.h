@@ -7,22 +7,30 @@
 
 namespace unstep::deviation {
 
+/// A place in space.
+struct Place3 {
+  long double x = 0;
+  long double y = 0;
+  long double z = 0;
+};
+
 /// Whether the Frechet distance of two polylines is at most `bound`, by the
 /// free space of Alt and Godau over the part that is reached. Rounding may
 /// turn a no into a yes only if the distance is within bound + slack, slack =
 /// 2^-58 of the largest coordinate: an interval's ends move with the bound at
 /// least as fast as the bound itself, so a few roundings of its ends are no
 /// more than as much on the bound.
-class PolylineFrechet {
+template <class Point>
+class BasicPolylineFrechet {
  public:
   /// REQUIRES: neither is empty.
-  PolylineFrechet(const std::vector<Place>& chain,
-                  const std::vector<Place>& path)
+  BasicPolylineFrechet(const std::vector<Point>& chain,
+                       const std::vector<Point>& path)
       : chain_(chain), path_(path) {}
 
   [[nodiscard]] bool within(long double bound);
 
-  /// The chain's vertex at which the last answer of no came to its end.
+  /// The vertex of `chain` at which the last answer of no came to its end.
   [[nodiscard]] std::size_t stuck_at() const { return stuck_; }
 
  private:
@@ -36,12 +44,12 @@ class PolylineFrechet {
     long double high = 0;
   };
   /// What the disc about `centre` cuts from the line, 0..1.
-  [[nodiscard]] Cut cut(Place from, Place to, Place centre) const;
-  [[nodiscard]] bool near(Place a, Place b) const;
+  [[nodiscard]] Cut cut(Point from, Point to, Point centre) const;
+  [[nodiscard]] bool near(Point a, Point b) const;
   void row(std::size_t j);
 
-  const std::vector<Place>& chain_;
-  const std::vector<Place>& path_;
+  const std::vector<Point>& chain_;
+  const std::vector<Point>& path_;
   long double bound_ = 0;
   std::vector<Entry> entries_;
   std::vector<Entry> next_;
@@ -49,5 +57,10 @@ class PolylineFrechet {
   bool last_ = false;
   std::size_t stuck_ = 0;
 };
+
+using PolylineFrechet = BasicPolylineFrechet<Place>;
+using PolylineFrechet3 = BasicPolylineFrechet<Place3>;
+extern template class BasicPolylineFrechet<Place>;
+extern template class BasicPolylineFrechet<Place3>;
 
 }  // namespace unstep::deviation

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "formats/gcode_writer_number.h"
+#include "formats/gcode_number.h"
+#include "formats/gcode_tool.h"
 #include "formats/outline.h"
 #include "unstep/program.h"
 
@@ -33,21 +34,16 @@ bool is_printable(const std::string& lines) {
 class Drawer {
  public:
   Drawer(const Drawing& drawing, const DrawProgramOptions& options)
-      : drawing_(drawing), options_(options) {
+      : drawing_(drawing), options_(options), tool_(options, text_) {
     mm_x_ = options.unit_x / drawing.scale;
     mm_y_ = options.unit_y / drawing.scale;
     frame_.flip = drawing.canvas.y_axis == YAxis::down;
     frame_.height =
         frame_.flip ? std::int64_t{drawing.canvas.height} * drawing.scale : 0;
-    const bool pen = options.profile == GcodeProfile::plotter ||
-                     options.profile == GcodeProfile::marlin;
-    cut_z_ = options.cut_z > -1e9 ? options.cut_z : pen ? 0 : -1;
-    laser_ = options.profile == GcodeProfile::laser;
-    lifts_ = !laser_ && options.tool_on.empty();
   }
 
   Status draw() {
-    begin();
+    tool_.begin();
     Outline outline;
     for (const Chain& chain : drawing_.chains) {
       if (Status valid = check_chain(chain, drawing_.canvas.y_axis); !valid) {
@@ -63,7 +59,7 @@ class Drawer {
       wide_ = wide_ || path.width > 0;
       if (Status done = draw(outline); !done) return done;
     }
-    end();
+    tool_.end();
     return {};
   }
 
@@ -73,51 +69,6 @@ class Drawer {
   [[nodiscard]] std::uint64_t vanished() const { return vanished_; }
 
  private:
-  void number(const char* word, double value, int decimals) {
-    text_ += word;
-    append_number(text_, round_number(std::llround(value * kPerMm), decimals));
-  }
-  void lines(const std::string& more) {
-    if (more.empty()) return;
-    text_ += more;
-    if (text_.back() != '\n') text_ += '\n';
-  }
-
-  void begin() {
-    text_ += options_.profile == GcodeProfile::marlin ? "G21 G90\n"
-                                                      : "G21 G90 G17 G94\n";
-    if (laser_ && options_.tool_off.empty()) text_ += "M5\n";
-    if (lifts_) number("G0 Z", options_.travel_z, 4), text_ += '\n';
-    const bool spins = !laser_ && options_.spindle > 0;
-    if (spins) number("M3 S", options_.spindle, 3), text_ += '\n';
-    if (!options_.tool_off.empty()) lines(options_.tool_off);
-  }
-
-  void end() {
-    if (!laser_ && options_.spindle > 0) text_ += "M5\n";
-  }
-
-  void tool_on() {
-    if (!options_.tool_on.empty()) return lines(options_.tool_on);
-    if (laser_) {
-      number("M3 S", options_.power, 3);
-    } else {
-      number("G1 Z", cut_z_, 4);
-      number(" F", options_.plunge_feed, 4);
-    }
-    text_ += '\n';
-  }
-
-  void tool_off() {
-    if (!options_.tool_off.empty()) return lines(options_.tool_off);
-    if (laser_) {
-      text_ += "M5\n";
-    } else if (lifts_) {
-      number("G0 Z", options_.travel_z, 4);
-      text_ += '\n';
-    }
-  }
-
   /// mm of a place in path units, in program units on the grid of decimals.
   [[nodiscard]] std::int64_t rounded(double mm) const {
     return round_number(std::llround(mm * kPerMm), options_.decimals);
@@ -143,7 +94,7 @@ class Drawer {
     at_ = to;
   }
   void feed() {
-    number(" F", options_.feed, 4);
+    append_gcode_number(text_, " F", options_.feed, 4);
     text_ += '\n';
   }
   void line_to(Place to) {
@@ -160,7 +111,7 @@ class Drawer {
     if (!placed(x, y, start)) return too_far();
     go("G0", start);
     text_ += '\n';
-    tool_on();
+    tool_.on();
     moved_ = false;
     for (const Piece& piece : outline.pieces) {
       if (piece.is_arc) {
@@ -173,7 +124,7 @@ class Drawer {
       line_to(end);
     }
     if (!moved_ && !outline.pieces.empty()) ++vanished_;
-    tool_off();
+    tool_.off();
     return {};
   }
 
@@ -256,10 +207,8 @@ class Drawer {
   Frame frame_;
   double mm_x_ = 1;
   double mm_y_ = 1;
-  double cut_z_ = 0;
-  bool laser_ = false;
-  bool lifts_ = false;
   std::string text_;
+  GcodeTool tool_;
   Place at_;
   bool moved_ = false;
   bool wide_ = false;

@@ -55,7 +55,7 @@ Status GcodeLineReader::read(std::string_view line, GcodeBlock& block) {
   assignments_.clear();
   block.kind = GcodeBlock::Kind::blank;
   block.deleted = block.assigns = block.assigns_offset = false;
-  block.unknown_value = false;
+  block.computed = block.unknown_value = false;
   block.values = block.flags = 0;
   block.g_count = block.m_count = 0;
   block.decimals = 0;
@@ -69,7 +69,7 @@ Status GcodeLineReader::read(std::string_view line, GcodeBlock& block) {
 void GcodeLineReader::set_parameters(bool carried_out) {
   for (Assignment& assignment : assignments_) {
     if (!carried_out) assignment.value.known = false;
-    assign(assignment);
+    parameters_.assign(assignment.target, assignment.value);
   }
 }
 
@@ -231,24 +231,6 @@ bool GcodeLineReader::read_checksum(GcodeBlock& block) {
   return true;
 }
 
-bool GcodeLineReader::read_o_word(GcodeBlock& block) {
-  skip_blanks();
-  const std::size_t begin = at_;
-  while (is_digit(peek())) ++at_;
-  const bool numbered = at_ > begin;
-  skip_blanks();
-  if (numbered && (at_ == line_.size() || peek() == ';' || peek() == '(')) {
-    block.kind = GcodeBlock::Kind::o_number;
-    return true;
-  }
-  if (!numbered && peek() != '<' && peek() != '[' && peek() != '#') {
-    return fail("expected a number or a name after O");
-  }
-  block.kind = GcodeBlock::Kind::o_flow;
-  at_ = line_.size();
-  return true;
-}
-
 bool GcodeLineReader::read_value(std::int64_t& fixed, int& decimals,
                                  GcodeBlock& block) {
   skip_blanks();
@@ -263,6 +245,7 @@ bool GcodeLineReader::read_value(std::int64_t& fixed, int& decimals,
     return read_plain(negative, fixed, decimals);
   }
   Number number;
+  block.computed = true;
   if (!read_operand(number, 0)) return false;
   if (!number.known) {
     block.unknown_value = true;

@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "formats/gcode_flow_word.h"
+#include "formats/gcode_parameters.h"
 #include "unstep/result.h"
 
 /// One line of G-code as words with numbers; nothing of what they mean.
@@ -37,6 +37,7 @@ struct GcodeBlock {
   bool deleted = false;         ///< begins with "/"
   bool assigns = false;         ///< sets a parameter
   bool assigns_offset = false;  ///< one that LinuxCNC keeps its offsets in
+  bool computed = false;        ///< has parameters or expressions
   bool unknown_value = false;   ///< uses a parameter that the program never set
   std::uint32_t values = 0;     ///< letters with a number, but G and M
   std::uint32_t flags = 0;      ///< letters without one
@@ -50,6 +51,7 @@ struct GcodeBlock {
   /// What a line is when its number and checksum are taken off.
   std::uint32_t body_begin = 0;
   std::uint32_t body_end = 0;
+  GcodeFlowWord flow;  ///< of o_flow
   /// First byte and size of each comment.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> comments;
 
@@ -64,6 +66,10 @@ struct GcodeBlock {
 /// Reads lines; keeps the parameters that they set.
 class GcodeLineReader {
  public:
+  /// Without flow, O words are only told from others: block.flow stays as it
+  /// is.
+  explicit GcodeLineReader(bool reads_flow) : reads_flow_(reads_flow) {}
+
   /// `line` without its end. The error has no line number.
   Status read(std::string_view line, GcodeBlock& block);
 
@@ -71,17 +77,11 @@ class GcodeLineReader {
   /// values that are not known if it may be.
   void set_parameters(bool carried_out);
 
+  [[nodiscard]] GcodeParameters& parameters() { return parameters_; }
+
  private:
-  struct Number {
-    double value = 0;
-    bool known = true;
-  };
-  struct Parameter {
-    bool named = false;
-    std::uint32_t number = 0;
-    std::string name;
-    bool known = true;
-  };
+  using Number = GcodeNumber;
+  using Parameter = GcodeParameter;
   struct Assignment {
     Parameter target;
     Number value;
@@ -96,6 +96,7 @@ class GcodeLineReader {
   bool read_checksum(GcodeBlock& block);
   bool read_assignment(GcodeBlock& block);
   bool read_o_word(GcodeBlock& block);
+  bool read_flow(GcodeFlowWord& word);
   bool begins_command() const;
 
   bool read_value(std::int64_t& fixed, int& decimals, GcodeBlock& block);
@@ -110,8 +111,6 @@ class GcodeLineReader {
   bool read_parameter(Parameter& parameter, int depth);
   int peek_operator(int& level) const;
   bool apply(int operation, Number& left, const Number& right);
-  [[nodiscard]] Number value_of(const Parameter& parameter) const;
-  void assign(const Assignment& assignment);
   std::string read_name();
 
   void skip_blanks() {
@@ -133,8 +132,8 @@ class GcodeLineReader {
   bool first_word_ = true;
   Error error_;
   std::vector<Assignment> assignments_;
-  std::unordered_map<std::uint32_t, double> numbered_;
-  std::map<std::string, double, std::less<>> named_;
+  GcodeParameters parameters_;
+  bool reads_flow_;
 };
 
 }  // namespace unstep

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/gcode_flow.h"
 #include "formats/gcode_reader_block.h"
 #include "formats/gcode_reader_codes.h"
 #include "formats/gcode_reader_state.h"
@@ -44,6 +45,9 @@ class GcodeReader {
 
   Result<Program> read();
 
+  /// After read() has failed: control flow could not be followed.
+  [[nodiscard]] bool flow_failed() const { return flow_failed_; }
+
  private:
   using Kind = ProgramItem::Kind;
 
@@ -56,6 +60,9 @@ class GcodeReader {
   }
 
   bool run_line(std::string_view line);
+  bool run_flow();
+  bool refuse_flow(const std::string& reason);
+  bool count_line();
   bool run_words();
   bool sort_codes(LineCodes& codes);
   bool sort_g(int code, std::uint32_t& seen, LineCodes& codes);
@@ -77,7 +84,8 @@ class GcodeReader {
                                        std::int64_t number) const;
   ProgramItem item(Kind kind);
   bool add(ProgramItem made);
-  void give_text(ProgramItem& made) const;
+  void give_text(ProgramItem& made);
+  [[nodiscard]] std::string evaluated_line() const;
   bool add_text(bool unknown_effect = false);
   bool add_comments();
   bool add_unknown(const std::string& what);
@@ -85,16 +93,22 @@ class GcodeReader {
   bool within_memory();
 
   GcodeReadOptions options_;
+  std::string_view text_;
   Program program_;
   GcodeState state_;
   GcodeLineReader lines_;
   GcodeBlock block_;
   std::uint32_t line_ = 0;
-  std::size_t begin_ = 0;    ///< of the line in the text
-  bool started_ = false;     ///< a line with anything on it was met
-  bool ended_ = false;       ///< M2, M30 or the second %
-  bool flow_ = false;        ///< control flow: the rest is kept
-  bool names_mode_ = false;  ///< the line has a motion word
+  std::size_t begin_ = 0;  ///< of the line in the text
+  GcodePlace next_;        ///< where the program goes on
+  GcodeFlow flow_;
+  bool follows_ = false;        ///< control flow was met and is carried out
+  bool flow_failed_ = false;    ///< it cannot be
+  std::uint64_t executed_ = 0;  ///< lines, since it was met
+  bool started_ = false;        ///< a line with anything on it was met
+  bool ended_ = false;          ///< M2, M30 or the second %
+  bool flow_kept_ = false;      ///< control flow: the rest is kept
+  bool names_mode_ = false;     ///< the line has a motion word
   Error error_;
   struct Note {
     std::string reason;

@@ -66,8 +66,9 @@ bool begins_with(std::string_view text, std::string_view word) {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// LinuxCNC takes numbers this close to a whole one for it.
-constexpr double kWhole = 1e-4;
+/// LinuxCNC takes numbers this close to each other, or to a whole one, for
+/// equal.
+constexpr double kNear = 1e-4;
 
 }  // namespace
 
@@ -108,7 +109,7 @@ bool GcodeLineReader::read_operand(Number& result, int depth) {
   } else if (c == '#') {
     Parameter parameter;
     if (!read_parameter(parameter, depth + 1)) return false;
-    result = value_of(parameter);
+    result = parameters_.value_of(parameter);
   } else if (upper(c) >= 'A' && upper(c) <= 'Z') {
     if (!read_function(result, depth + 1)) return false;
   } else {
@@ -156,8 +157,8 @@ bool GcodeLineReader::apply(int operation, Number& left, const Number& right) {
     case op_and: out = a != 0 && b != 0 ? 1 : 0; break;
     case op_or: out = a != 0 || b != 0 ? 1 : 0; break;
     case op_xor: out = (a != 0) != (b != 0) ? 1 : 0; break;
-    case op_eq: out = a == b ? 1 : 0; break;
-    case op_ne: out = a != b ? 1 : 0; break;
+    case op_eq: out = std::abs(a - b) < kNear ? 1 : 0; break;
+    case op_ne: out = std::abs(a - b) < kNear ? 0 : 1; break;
     case op_gt: out = a > b ? 1 : 0; break;
     case op_ge: out = a >= b ? 1 : 0; break;
     case op_lt: out = a < b ? 1 : 0; break;
@@ -242,9 +243,7 @@ bool GcodeLineReader::read_exists(Number& result, int depth) {
   if (!expect('[')) return false;
   skip_blanks();
   if (!read_parameter(parameter, depth)) return false;
-  // What the program did not set the control may have.
-  const Number value = value_of(parameter);
-  result = {1, value.known};
+  result = parameters_.exists(parameter);
   return expect(']');
 }
 
@@ -262,7 +261,7 @@ bool GcodeLineReader::read_parameter(Parameter& parameter, int depth) {
   parameter.known = number.known;
   if (!number.known) return true;
   const double whole = std::round(number.value);
-  if (std::abs(number.value - whole) > kWhole || whole < 1 || whole > 1e9) {
+  if (std::abs(number.value - whole) > kNear || whole < 1 || whole > 1e9) {
     return fail(ErrorCode::out_of_range, "no such parameter number");
   }
   parameter.number = static_cast<std::uint32_t>(whole);
@@ -286,7 +285,7 @@ bool GcodeLineReader::read_assignment(GcodeBlock& block) {
   Assignment assignment;
   if (!read_parameter(assignment.target, 0)) return false;
   if (!expect('=') || !read_operand(assignment.value, 0)) return false;
-  block.assigns = true;
+  block.assigns = block.computed = true;
   const Parameter& target = assignment.target;
   // #5161 ... #5400: homes, offsets and the tool of LinuxCNC.
   if (!target.known ||
@@ -295,37 +294,6 @@ bool GcodeLineReader::read_assignment(GcodeBlock& block) {
   }
   assignments_.push_back(std::move(assignment));
   return true;
-}
-
-GcodeLineReader::Number GcodeLineReader::value_of(
-    const Parameter& parameter) const {
-  if (!parameter.known) return {0, false};
-  if (parameter.named) {
-    const auto found = named_.find(parameter.name);
-    return found == named_.end() ? Number{0, false}
-                                 : Number{found->second, true};
-  }
-  const auto found = numbered_.find(parameter.number);
-  return found == numbered_.end() ? Number{0, false}
-                                  : Number{found->second, true};
-}
-
-void GcodeLineReader::assign(const Assignment& assignment) {
-  const Parameter& target = assignment.target;
-  if (!target.known) {
-    // Any of them may have changed.
-    numbered_.clear();
-  } else if (!assignment.value.known) {
-    if (target.named) {
-      named_.erase(target.name);
-    } else {
-      numbered_.erase(target.number);
-    }
-  } else if (target.named) {
-    named_[target.name] = assignment.value.value;
-  } else {
-    numbered_[target.number] = assignment.value.value;
-  }
 }
 
 }  // namespace unstep

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include "formats/gcode_number.h"
 #include "formats/gcode_reader_class.h"
 
 /// What the lines become, and what is said about them.
@@ -48,8 +49,46 @@ bool GcodeReader::within_memory() {
                   std::to_string(options_.limits.max_memory) + " bytes");
 }
 
+/// The words of a line with their numbers instead of parameters, whose values
+/// are others where loops and calls are gone.
+std::string GcodeReader::evaluated_line() const {
+  std::string out;
+  const auto put = [&out](char letter, std::int64_t number) {
+    if (!out.empty()) out += ' ';
+    out += letter;
+    append_number(out, number);
+  };
+  constexpr std::int64_t kTenth = kGcodeNumberScale / 10;
+  for (std::size_t i = 0; i < block_.g_count; ++i) {
+    put('G', block_.g[i] * kTenth);
+  }
+  for (std::size_t i = 0; i < block_.m_count; ++i) {
+    put('M', block_.m[i] * kTenth);
+  }
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if (letter == 'N') continue;
+    if (block_.has(letter)) put(letter, block_.at(letter));
+    if ((block_.flags & letter_bit(letter)) != 0) {
+      out += ' ';
+      out += letter;
+    }
+  }
+  for (const auto& [begin, size] : block_.comments) {
+    if (!out.empty()) out += ' ';
+    out += text_.substr(begin_ + begin, size);
+  }
+  return out;
+}
+
 /// A line's number and checksum are of no use among other lines.
-void GcodeReader::give_text(ProgramItem& made) const {
+void GcodeReader::give_text(ProgramItem& made) {
+  if (follows_ && block_.computed) {
+    const std::string line = evaluated_line();
+    made.text_begin = program_.text.size();
+    made.text_size = static_cast<std::uint32_t>(line.size());
+    program_.text += line;
+    return;
+  }
   std::size_t begin = begin_;
   std::size_t end = begin_ + block_.body_end;
   if (block_.body_end < program_.text.size() - begin_ &&
@@ -63,6 +102,10 @@ void GcodeReader::give_text(ProgramItem& made) const {
 }
 
 bool GcodeReader::add_text(bool unknown_effect) {
+  const bool only_assigns = block_.assigns && block_.values == 0 &&
+                            block_.flags == 0 && block_.g_count == 0 &&
+                            block_.m_count == 0 && block_.comments.empty();
+  if (follows_ && only_assigns) return true;
   ProgramItem made = item(Kind::text);
   made.unknown_effect = unknown_effect;
   made.names_mode = names_mode_;

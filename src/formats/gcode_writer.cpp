@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "formats/gcode_writer_number.h"
+#include "formats/gcode_number.h"
 #include "program/arc_geometry.h"
 #include "unstep/program.h"
 

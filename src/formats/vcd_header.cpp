@@ -50,7 +50,10 @@ Status VcdReader::read_header(const DecodeLimits& limits) {
     } else if (keyword == "$var") {
       read = read_variable(limits);
     } else {
+      const std::size_t begin = position_;
+      const bool comment = keyword == "$comment" && comment_.empty();
       read = skip_section();
+      if (comment) comment_ = text_.substr(begin, word_at_ - begin);
     }
     if (!read || keyword == "$enddefinitions") return read;
   }

@@ -77,6 +77,8 @@ class VcdReader {
     return signals_;
   }
   [[nodiscard]] const VcdTimescale& timescale() const { return timescale_; }
+  /// What the first $comment of the header says; empty if there is none.
+  [[nodiscard]] std::string_view comment() const { return comment_; }
   /// Of the last change or time mark.
   [[nodiscard]] std::uint64_t time() const { return time_; }
 
@@ -122,6 +124,7 @@ class VcdReader {
   std::array<std::uint32_t, 128> short_codes_{};  ///< nets by codes of one byte
   std::unordered_map<std::string_view, std::uint32_t> codes_;  ///< the others
   VcdTimescale timescale_;
+  std::string_view comment_;
   std::uint64_t time_ = 0;
 };
 

@@ -78,13 +78,25 @@ class ArcWalk {
   /// the plane.
   Point move(std::int64_t da, std::int64_t db);
 
+  /// Puts the walk where moves within this piece have led, with their F.
+  void go_to(std::int64_t a, std::int64_t b, std::int64_t f) {
+    a_ = a;
+    b_ = b;
+    f_ = f;
+  }
+
+  /// Quarter turns from the plane to this piece.
+  [[nodiscard]] int turns() const { return turns_; }
+
+  /// A move of this piece's frame on the plane.
+  [[nodiscard]] Point to_plane(std::int64_t da, std::int64_t db) const;
+
   /// The next diagonal or straight unit move to an end off the circle; (0, 0)
   /// when the end is reached.
   Point correct();
 
  private:
   void set_target();
-  [[nodiscard]] Point to_plane(std::int64_t da, std::int64_t db) const;
 
   std::int64_t a_ = 0;
   std::int64_t b_ = 0;

@@ -12,13 +12,15 @@
 #include <string>
 
 #include "interpolate/evaluation.h"
+#include "interpolate/letters.h"
 #include "interpolate/ticks.h"
 #include "unstep/interpolate.h"
 
 namespace unstep {
 namespace {
 
-using interpolation::magnitude;
+using interpolation::kFreemanLetters;
+using interpolation::Letters;
 using interpolation::Quadrant;
 
 constexpr std::uint64_t kBytes = 0x0101010101010101;
@@ -205,24 +207,26 @@ Step* draw_word(Word w, Step* out, const Step* end) {
 // The word of each method; see docs/algorithms.md for the rewriting of its
 // rule to g.
 template <Method method>
-Word make_word(const Quadrant& s) {
+Word make_word(const Quadrant& s, const Letters& letters) {
   const bool x_major = s.xk >= s.yk;
+  const Step along_x = letters[s.along_x];
+  const Step along_y = letters[s.along_y];
   if constexpr (method == Method::evaluation8) {
     const std::int64_t n = std::max(s.xk, s.yk);
     const std::int64_t m = std::min(s.xk, s.yk);
-    const Step straight = x_major ? s.along_x : s.along_y;
+    const Step straight = x_major ? along_x : along_y;
+    const Step diagonal = letters[s.diagonal()];
     if (m <= n - m)
-      return {n - m, m, n - m, m, m - 1 - n / 2, straight, s.diagonal()};
-    return {m, n - m, m, n - m, n / 2 - m, s.diagonal(), straight};
+      return {n - m, m, n - m, m, m - 1 - n / 2, straight, diagonal};
+    return {m, n - m, m, n - m, n / 2 - m, diagonal, straight};
   } else {
     const std::int64_t f = method == Method::device ? s.yk - s.xk : 0;
     if constexpr (method == Method::device) {
-      if (x_major) return {s.xk, s.yk, s.xk, s.yk, f, s.along_x, s.along_y};
-      return {s.yk, s.xk, s.yk, s.xk, -1 - f, s.along_y, s.along_x};
+      if (x_major) return {s.xk, s.yk, s.xk, s.yk, f, along_x, along_y};
+      return {s.yk, s.xk, s.yk, s.xk, -1 - f, along_y, along_x};
     } else {
-      if (x_major)
-        return {s.xk, s.yk, s.xk, s.yk, -1 - f, s.along_x, s.along_y};
-      return {s.yk, s.xk, s.yk, s.xk, f, s.along_y, s.along_x};
+      if (x_major) return {s.xk, s.yk, s.xk, s.yk, -1 - f, along_x, along_y};
+      return {s.yk, s.xk, s.yk, s.xk, f, along_y, along_x};
     }
   }
 }
@@ -234,20 +238,22 @@ std::size_t length_of(const Quadrant& s) {
 }
 
 template <Method method>
-Step* draw(Segment segment, Step* out, const Step* end) {
+Step* draw(Segment segment, Step* out, const Step* end,
+           const Letters& letters) {
   const Quadrant s(segment);
   const std::size_t n = length_of<method>(s);
   constexpr auto kSide = static_cast<std::int64_t>(kTableSide);
   if (s.xk >= kSide || s.yk >= kSide)
-    return draw_word<method == Method::device>(make_word<method>(s), out, end);
+    return draw_word<method == Method::device>(make_word<method>(s, letters),
+                                               out, end);
 
   std::uint64_t word = kWords<method>[static_cast<std::size_t>(s.xk)]
                                      [static_cast<std::size_t>(s.yk)];
-  Step first = s.along_x;
-  Step second = s.along_y;
+  Step first = letters[s.along_x];
+  Step second = letters[s.along_y];
   if constexpr (method == Method::evaluation8) {
-    if (s.xk < s.yk) first = s.along_y;
-    second = s.diagonal();
+    if (s.xk < s.yk) first = second;
+    second = letters[s.diagonal()];
   }
   const std::uint64_t base = kBytes * first;
   const std::uint64_t change = base ^ kBytes * second;
@@ -271,14 +277,15 @@ Error too_short(std::uint64_t need, std::size_t have) {
 
 template <Method method>
 Result<std::size_t> draw_all(std::span<const Segment> segments,
-                             std::span<Step> out) {
+                             std::span<Step> out, const Letters& letters) {
   std::uint64_t total = 0;
   for (const Segment segment : segments)
     total += length_of<method>(Quadrant(segment));
   if (total > out.size()) return too_short(total, out.size());
   Step* at = out.data();
   const Step* end = at + out.size();
-  for (const Segment segment : segments) at = draw<method>(segment, at, end);
+  for (const Segment segment : segments)
+    at = draw<method>(segment, at, end, letters);
   return static_cast<std::size_t>(at - out.data());
 }
 
@@ -301,6 +308,19 @@ Result<std::size_t> draw_by_ticks(Method method,
 
 }  // namespace
 
+Result<std::size_t> interpolation::draw_lines(Method method,
+                                              std::span<const Segment> segments,
+                                              std::span<std::uint8_t> out,
+                                              const Letters& letters) {
+  switch (method) {
+    case Method::device:
+      return draw_all<Method::device>(segments, out, letters);
+    case Method::evaluation:
+      return draw_all<Method::evaluation>(segments, out, letters);
+    default: return draw_all<Method::evaluation8>(segments, out, letters);
+  }
+}
+
 std::uint64_t step_count(Method method, Segment segment) {
   const Quadrant s(segment);
   return static_cast<std::uint64_t>(
@@ -311,13 +331,8 @@ Result<std::size_t> interpolate(Method method,
                                 std::span<const Segment> segments,
                                 std::span<Step> out,
                                 const InterpolatorOptions& options) {
-  switch (method) {
-    case Method::device: return draw_all<Method::device>(segments, out);
-    case Method::evaluation: return draw_all<Method::evaluation>(segments, out);
-    case Method::evaluation8:
-      return draw_all<Method::evaluation8>(segments, out);
-    default: break;
-  }
+  if (interpolation::draws_in_bulk(method))
+    return interpolation::draw_lines(method, segments, out, kFreemanLetters);
   const MethodInfo& info = method_info(method);
   if (!info.lines || info.increments)
     return Error{ErrorCode::unsupported, std::string(info.name) +

@@ -10,6 +10,21 @@ constexpr double kTwo32 = 4294967296.0;
 
 }  // namespace
 
+CircularMove circular_move(const ArcWalk& walk, bool combined) {
+  const std::int64_t a = walk.a();
+  const std::int64_t b = walk.b();
+  const std::int64_t f = walk.f();
+  // A piece ends exactly: what one axis has used up the other must walk.
+  if (walk.left_b() == 0) return {true, false};
+  if (walk.left_a() == 0) return {false, true};
+  if (!combined) return {f <= 0, f > 0};
+  const std::int64_t only_a = std::abs(f + 2 * a + 1);
+  const std::int64_t only_b = std::abs(f - 2 * b + 1);
+  const std::int64_t both = std::abs(f + 2 * (a - b) + 2);
+  return {only_a <= only_b || both <= only_b,
+          only_b < only_a || both <= only_a};
+}
+
 Circular::Circular(const ArcGeometry& arc, double feed, bool combined)
     : walk_(arc), combined_(combined) {
   const double radius = std::sqrt(static_cast<double>(arc.radius_squared));
@@ -24,21 +39,7 @@ Tick Circular::next() {
     if (move == Point{}) return {};
     return unit_tick(move.x, move.y);
   }
-  const std::int64_t a = walk_.a();
-  const std::int64_t b = walk_.b();
-  const std::int64_t f = walk_.f();
-  bool step_a = f <= 0;
-  bool step_b = !step_a;
-  if (combined_) {
-    const std::int64_t only_a = std::abs(f + 2 * a + 1);
-    const std::int64_t only_b = std::abs(f - 2 * b + 1);
-    const std::int64_t both = std::abs(f + 2 * (a - b) + 2);
-    step_a = only_a <= only_b || both <= only_b;
-    step_b = only_b < only_a || both <= only_a;
-  }
-  // A piece ends exactly: what one axis has used up the other must walk.
-  if (walk_.left_a() == 0) step_a = false, step_b = true;
-  if (walk_.left_b() == 0) step_b = false, step_a = true;
+  const auto [step_a, step_b] = circular_move(walk_, combined_);
   if (step_a) frequency_ += correction_;
   if (step_b) frequency_ -= correction_;
   const Point move = walk_.move(step_a, step_b);

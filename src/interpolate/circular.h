@@ -11,9 +11,19 @@
 /// D1: circular evaluation function, survey of interpolation methods.
 namespace unstep::interpolation {
 
+/// Which axes the next move of a walk goes along.
+///
 /// F <= 0: a + 1, F += 2a + 1. F > 0: b - 1, F += -2b + 1. Combined: of
 /// these and the diagonal a + 1, b - 1, F += 2(a - b) + 2, the one that leaves
 /// the smallest |F|.
+struct CircularMove {
+  bool along_a = false;
+  bool along_b = false;
+};
+/// REQUIRES: walk.left_a() or walk.left_b() is more than 0.
+[[nodiscard]] CircularMove circular_move(const ArcWalk& walk, bool combined);
+
+/// The interpolator of these moves.
 ///
 /// The step frequency f = Vk (a + b) / R is corrected by +-Vk / R at every
 /// step, in 2^-32 of a step per second; |a + b| <= 2^31.5 and Vk <= 2^30 keep

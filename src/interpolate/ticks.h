@@ -46,12 +46,17 @@ struct Quadrant {
 
 [[nodiscard]] constexpr Tick idle_tick() { return {Tick::Kind::idle, 0, 0, 0}; }
 
+/// The Freeman code of a move of -1..1 on each axis, not both 0.
+[[nodiscard]] constexpr Step unit_step(int dx, int dy) {
+  // By (dy + 1) * 3 + dx + 1; the centre is no step.
+  constexpr std::array<Step, 9> kCode{5, 6, 7, 4, 0, 0, 3, 2, 1};
+  return kCode[static_cast<std::size_t>((dy + 1) * 3 + dx + 1)];
+}
+
 /// The tick of a move of -1..1 on each axis.
 [[nodiscard]] constexpr Tick unit_tick(int dx, int dy) {
-  // Freeman code by (dy + 1) * 3 + dx + 1; the centre is no step.
-  constexpr std::array<Step, 9> kCode{5, 6, 7, 4, 0, 0, 3, 2, 1};
   if (dx == 0 && dy == 0) return idle_tick();
-  return step_tick(kCode[static_cast<std::size_t>((dy + 1) * 3 + dx + 1)]);
+  return step_tick(unit_step(dx, dy));
 }
 
 }  // namespace unstep::interpolation

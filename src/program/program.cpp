@@ -1,7 +1,8 @@
 #include "unstep/program.h"
 
 #include <algorithm>
-#include <string>
+
+#include "program/moves.h"
 
 namespace unstep {
 
@@ -16,32 +17,12 @@ ProgramPosition Program::position(const ProgramItem& item) const {
 Result<std::vector<ProgramMove>> program_moves(const Program& program,
                                                bool skip_unknown) {
   std::vector<ProgramMove> moves;
-  ProgramPosition at{};
-  for (const ProgramItem& item : program.items) {
-    const ProgramModes& modes = program.modes[item.modes];
-    if (item.unknown_effect && !skip_unknown) {
-      return Error{ErrorCode::unsupported, "line " + std::to_string(item.line) +
-                                               ": its motion is not known"};
-    }
-    if (!item.is_motion()) continue;
-    ProgramMove move;
-    move.kind = item.kind;
-    move.plane = modes.plane.value_or(ProgramPlane::xy);
-    move.turns = item.turns;
-    move.line = item.line;
-    move.start = at;
-    move.end = program.position(item);
-    const auto plane = plane_axes(move.plane);
-    for (std::size_t axis = 0; axis < kProgramAxes; ++axis) {
-      move.end[axis] += modes.offset[axis];
-    }
-    move.centre = {item.centre[0] + modes.offset[plane[0]],
-                   item.centre[1] + modes.offset[plane[1]]};
-    move.feed = item.feed;
-    move.spindle = item.spindle;
-    at = move.end;
-    moves.push_back(move);
-  }
+  const Status done =
+      visit_moves(program, skip_unknown, [&moves](const ProgramMove& move) {
+        moves.push_back(move);
+        return Status();
+      });
+  if (!done) return done.error();
   return moves;
 }
 

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
+#include "interpolate/arc_walk.h"
 #include "program/arc_geometry.h"
+#include "program/moves.h"
 
 namespace unstep::steps {
 namespace {
@@ -14,7 +17,9 @@ using Kind = ProgramItem::Kind;
 class Gridder {
  public:
   explicit Gridder(const StepMakeOptions& options)
-      : options_(options), at_(options.origin) {
+      : options_(options),
+        per_unit_(1.0 / static_cast<double>(options.step)),
+        at_(options.origin) {
     if (options.axes == 2) at_[2] = 0;
   }
 
@@ -40,9 +45,14 @@ class Gridder {
 
   Status round(std::int64_t value, std::int32_t& out) const {
     const std::int64_t step = options_.step;
-    const std::int64_t half = step / 2;
-    const std::int64_t steps =
-        value < 0 ? -((-value + half) / step) : (value + half) / step;
+    const std::int64_t half = std::abs(value) + step / 2;
+    // Below 2^51, so the product is off by less than one: a quotient without a
+    // division.
+    auto whole =
+        static_cast<std::int64_t>(static_cast<double>(half) * per_unit_);
+    const std::int64_t rest = half - whole * step;
+    whole += rest < 0 ? -1 : rest >= step ? 1 : 0;
+    const std::int64_t steps = value < 0 ? -whole : whole;
     if (steps > kMaxCoord || steps < -kMaxCoord) {
       return Error{ErrorCode::out_of_range,
                    "a motion leaves the range of 2^30 steps"};
@@ -110,10 +120,8 @@ class Gridder {
                     move.kind == Kind::clockwise};
       const bool full =
           move.start[0] == move.end[0] && move.start[1] == move.end[1];
-      InterpolatorOptions how;
-      how.combined = options_.method == Method::evaluation8;
       if ((full || arc.end != Point{}) && arc.centre != Point{} &&
-          Interpolator::arc(Method::circular, arc, how)) {
+          interpolation::check_arc(arc)) {
         GridMove out;
         out.rapid = rapid_;
         out.feed = feed_;
@@ -149,6 +157,7 @@ class Gridder {
   }
 
   const StepMakeOptions& options_;
+  double per_unit_;  ///< steps in 1e-7 mm
   std::vector<GridMove> moves_;
   GridPoint at_;
   double feed_ = 0;
@@ -159,16 +168,15 @@ class Gridder {
 
 Result<std::vector<GridMove>> grid_moves(const Program& program,
                                          const StepMakeOptions& options) {
-  const Result<std::vector<ProgramMove>> moves =
-      program_moves(program, options.skip_unknown);
-  if (!moves) return moves.error();
   Gridder gridder(options);
-  for (const ProgramMove& move : *moves) {
-    if (Status done = gridder.add(move); !done) {
-      return Error{done.error().code, "line " + std::to_string(move.line) +
-                                          ": " + done.error().message};
-    }
-  }
+  const auto add = [&gridder](const ProgramMove& move) {
+    Status done = gridder.add(move);
+    if (done) return done;
+    return Status(Error{done.error().code, "line " + std::to_string(move.line) +
+                                               ": " + done.error().message});
+  };
+  const Status done = visit_moves(program, options.skip_unknown, add);
+  if (!done) return done.error();
   return gridder.take();
 }
 

@@ -5,6 +5,8 @@
 #include <new>
 #include <string>
 
+#include "interpolate/arc_steps.h"
+#include "interpolate/letters.h"
 #include "steps/grid_moves.h"
 #include "steps/line3.h"
 #include "steps/timing.h"
@@ -82,11 +84,7 @@ class Maker {
     if (options_.axes == 3) return draw_line3(move);
     if (move.is_arc) {
       if (Status done = draw_lines(); !done) return done;
-      InterpolatorOptions how = options_.interpolator;
-      how.combined = options_.method == Method::evaluation8;
-      Result<Interpolator> arc =
-          Interpolator::arc(Method::circular, move.arc, how);
-      return arc ? walk(*arc) : arc.error();
+      return draw_arc(move.arc);
     }
     const Segment line{move.delta[0], move.delta[1]};
     if (!counts_steps(options_.method)) {
@@ -107,13 +105,37 @@ class Maker {
     const std::size_t before = run_.words.size();
     run_.words.resize(before + pending_);
     const std::span<Step> out = std::span(run_.words).subspan(before);
-    const Result<std::size_t> drawn =
-        interpolate(options_.method, lines_, out, options_.interpolator);
-    if (!drawn) return drawn.error();
-    for (Step& step : out) step = steps::kWords[step & 7];
+    if (interpolation::draws_in_bulk(options_.method)) {
+      const Result<std::size_t> drawn = interpolation::draw_lines(
+          options_.method, lines_, out, steps::kWords);
+      if (!drawn) return drawn.error();
+    } else {
+      const Result<std::size_t> drawn =
+          interpolate(options_.method, lines_, out, options_.interpolator);
+      if (!drawn) return drawn.error();
+      for (Step& step : out) step = steps::kWords[step & 7];
+    }
     lines_.clear();
     pending_ = 0;
     return {};
+  }
+
+  Status draw_arc(const Arc& arc) {
+    const Result<interpolation::ArcGeometry> checked =
+        interpolation::check_arc(arc);
+    if (!checked) return checked.error();
+    interpolation::ArcSteps drawn(
+        *checked, options_.method == Method::evaluation8, steps::kWords);
+    // Short arcs are not made to clear much memory.
+    for (std::size_t part = 256;; part = std::min(2 * part, kBatch)) {
+      const std::size_t before = run_.words.size();
+      run_.words.resize(before + part);
+      const std::size_t count =
+          drawn.fill(std::span(run_.words).subspan(before));
+      run_.words.resize(before + count);
+      if (count == 0) return {};
+      if (Status done = take(count); !done) return done;
+    }
   }
 
   Status walk(Interpolator& drawn) {
@@ -143,19 +165,23 @@ class Maker {
     const std::size_t count = run_.words.size() - before;
     const auto all = static_cast<double>(count);
     const double clock = options_.timing.clock;
+    const steps::MoveClock moved(speed, move.length,
+                                 options_.timing.acceleration);
+    run_.waits.resize(before + count);
     double ticks = 0;
     for (std::size_t i = 1; i <= count; ++i) {
       const double way = move.length * static_cast<double>(i) / all;
-      ticks = clock * steps::time_at(speed, move.length, way,
-                                     options_.timing.acceleration);
+      ticks = clock * moved.at(way);
       // What rounding leaves goes into the next wait.
-      const double wait = std::floor(move_begin_ + ticks - clock_at_);
+      const double wait = move_begin_ + ticks - clock_at_;
       if (!(wait < 4294967296.0)) {
         return Error{ErrorCode::out_of_range,
                      "a step takes longer than 2^32 ticks of the clock"};
       }
-      run_.waits.push_back(static_cast<std::uint32_t>(std::max(wait, 1.0)));
-      clock_at_ += run_.waits.back();
+      const auto whole =
+          std::max<std::int64_t>(1, static_cast<std::int64_t>(wait));
+      run_.waits[before + i - 1] = static_cast<std::uint32_t>(whole);
+      clock_at_ += static_cast<double>(whole);
     }
     move_begin_ += ticks;
     // Numbers that stay small keep their precision.

@@ -1,4 +1,3 @@
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,13 +5,16 @@
 #include <limits>
 #include <new>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <string>
 
-#include "formats/gcode_writer_number.h"
+#include "formats/gcode_number.h"
 #include "grid/wide_product.h"
+#include "steps/arc_search.h"
 #include "steps/exact_lines.h"
 #include "steps/format.h"
-#include "steps/line3.h"
+#include "steps/line3_search.h"
 #include "steps/reverse_arc.h"
 #include "steps/words.h"
 #include "unstep/step_stream.h"
@@ -21,10 +23,10 @@
 namespace unstep {
 namespace {
 
-using GridDelta = std::array<std::int32_t, kMaxStepAxes>;
+using steps::GridDelta;
 
-/// How many steps are looked at for one line of three axes.
-constexpr std::size_t kReach = std::size_t{1} << 22;
+/// No line has more steps.
+using steps::kReach;
 
 /// Writes the elements of runs as text.
 class Reverser {
@@ -145,25 +147,90 @@ class Reverser {
     find_points();
     steps::LineSearch lines(codes_, options_.method, kReach);
     std::size_t tried = 0;  // arcs are looked for where lines are short
+    std::optional<steps::LaterArc> later;
     for (std::size_t at = 0; at < codes_.size() && in_range_;) {
-      Segment line;
-      const std::size_t count = lines.longest(at, line);
-      if (options_.arcs && !run.rapid && at >= tried) {
-        const auto arc = steps::longest_arc(
-            std::span(codes_).subspan(at), std::span(points_).subspan(at),
-            3 * count, options_.method == Method::evaluation8,
-            static_cast<double>(head_.step) /
-                static_cast<double>(kProgramUnitsPerMm));
-        if (arc) {
-          put_arc(run, at, *arc);
-          at += arc->steps;
-          continue;
-        }
-        tried = at + count / 4 + 1;
+      Element element;
+      if (later && later->begin == at) {
+        element.arc = later->arc;
+        element.count = later->arc.steps;
+      } else {
+        element = longest(lines, at, options_.arcs && !run.rapid, tried);
       }
-      put_line(run, at, at + count, {line.dx, line.dy, 0});
-      at += count;
+      later.reset();
+      if (options_.arcs && !run.rapid) later = shorten(lines, at, element);
+      if (!later && !element.arc) {
+        element.count = lines.before_next(at, element.count, element.line);
+      }
+      if (element.arc) {
+        put_arc(run, at, *element.arc);
+      } else {
+        put_line(run, at, at + element.count,
+                 {element.line.dx, element.line.dy, 0});
+      }
+      at += element.count;
     }
+  }
+
+  /// A line, or an arc.
+  struct Element {
+    std::size_t count = 0;  ///< steps
+    Segment line;
+    std::optional<steps::ExactArc> arc;
+  };
+
+  Element longest(steps::LineSearch& lines, std::size_t at, bool arcs,
+                  std::size_t& tried) const {
+    Element element;
+    element.count = lines.longest(at, element.line);
+    if (!arcs || at < tried) return element;
+    element.arc = steps::longest_arc(std::span(codes_).subspan(at),
+                                     std::span(points_).subspan(at),
+                                     3 * element.count, combined(), step_mm());
+    if (element.arc) {
+      element.count = element.arc->steps;
+    } else {
+      tried = at + element.count / 4 + 1;
+    }
+    return element;
+  }
+
+  /// Ends the element where an arc begins that it has run into, and returns
+  /// that.
+  std::optional<steps::LaterArc> shorten(steps::LineSearch& lines,
+                                         std::size_t at,
+                                         Element& element) const {
+    const std::size_t end = at + element.count;
+    if (end >= codes_.size()) return std::nullopt;
+    Segment line;
+    const auto may_end = [&](std::size_t here) {
+      if (here == end) return true;
+      if (!element.arc) return lines.is_line(at, here - at, line);
+      const Arc& arc = element.arc->arc;
+      return steps::ArcSearch(std::span(codes_).subspan(at),
+                              std::span(points_).subspan(at), combined(),
+                              step_mm())
+          .is_end(arc.centre, arc.clockwise, here - at);
+    };
+    std::optional<steps::LaterArc> later = steps::later_arc(
+        codes_, points_, at + 1, end, combined(), step_mm(), may_end);
+    if (!later || later->begin == end) return later;
+    element.count = later->begin - at;
+    if (!element.arc) {
+      lines.is_line(at, element.count, element.line);
+      return later;
+    }
+    element.arc->steps = element.count;
+    element.arc->arc.end = {points_[later->begin].x - points_[at].x,
+                            points_[later->begin].y - points_[at].y};
+    return later;
+  }
+
+  [[nodiscard]] bool combined() const {
+    return options_.method == Method::evaluation8;
+  }
+  [[nodiscard]] double step_mm() const {
+    return static_cast<double>(head_.step) /
+           static_cast<double>(kProgramUnitsPerMm);
   }
 
   /// Relative to the run's first; steps of a run stay within 2^31 of it.
@@ -180,60 +247,10 @@ class Reverser {
   void lines3(const StepRun& run) {
     for (std::size_t at = 0; at < run.words.size() && in_range_;) {
       GridDelta delta{};
-      const std::size_t count = longest_line3(run.words, at, delta);
+      const std::size_t count = steps::longest_line3(run.words, at, delta);
       put_line(run, at, at + count, delta);
       at += count;
     }
-  }
-
-  static GridDelta sum3(const std::vector<StepWord>& words, std::size_t at,
-                        std::size_t count) {
-    GridDelta delta{};
-    for (std::size_t i = at; i < at + count; ++i) {
-      for (std::size_t axis = 0; axis < kMaxStepAxes; ++axis) {
-        delta[axis] += step_of(words[i], axis);
-      }
-    }
-    return delta;
-  }
-
-  /// How far the line to the end of `count` steps goes along with them; `count`
-  /// if it is drawn by them.
-  static std::size_t matched3(const std::vector<StepWord>& words,
-                              std::size_t at, std::size_t count,
-                              const GridDelta& delta) {
-    steps::Line3 line(delta);
-    if (line.count() != count) return 0;
-    std::size_t i = 0;
-    while (i < count && line.next() == words[at + i]) ++i;
-    return i;
-  }
-
-  static std::size_t longest_line3(const std::vector<StepWord>& words,
-                                   std::size_t at, GridDelta& best) {
-    const std::size_t most = std::min(words.size() - at, kReach);
-    std::size_t good = 1;
-    best = sum3(words, at, 1);
-    // Doubling while something on the way fits, then every end above the last.
-    std::size_t reach = 2;
-    while (reach / 2 <= good * 2 && reach / 2 < most) {
-      const std::size_t end = std::min(reach, most);
-      GridDelta delta = sum3(words, at, end);
-      int tries = 0;
-      for (std::size_t count = end; count > good && tries < 4096; --count) {
-        if (matched3(words, at, count, delta) == count) {
-          good = count;
-          best = delta;
-          break;
-        }
-        ++tries;
-        for (std::size_t axis = 0; axis < kMaxStepAxes; ++axis) {
-          delta[axis] -= step_of(words[at + count - 1], axis);
-        }
-      }
-      reach *= 2;
-    }
-    return good;
   }
 
   StepHead head_;

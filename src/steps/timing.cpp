@@ -80,27 +80,33 @@ std::vector<MoveSpeed> plan_speeds(std::span<const GridMove> moves,
   return speeds;
 }
 
-double time_at(const MoveSpeed& speed, double length, double way,
-               double acceleration) {
+MoveClock::MoveClock(const MoveSpeed& speed, double length, double acceleration)
+    : acceleration_(acceleration), first_(speed.first), peak_(speed.most) {
   const double a = acceleration;
-  if (a <= 0) return way / speed.most;
+  if (a <= 0) return;
   const double v0 = speed.first;
   const double v1 = speed.last;
   // Where speeding up would meet braking.
-  const double peak =
-      std::min(speed.most, std::sqrt((v0 * v0 + v1 * v1) / 2 + a * length));
-  const double up = std::max(0.0, (peak * peak - v0 * v0) / (2 * a));
-  const double down = std::max(0.0, (peak * peak - v1 * v1) / (2 * a));
-  const double speeding =
-      (std::sqrt(v0 * v0 + 2 * a * std::min(way, up)) - v0) / a;
-  if (way <= up) return speeding;
-  const double steady = std::min(way, length - down) - up;
-  double time = speeding + std::max(0.0, steady) / peak;
-  const double braked = way - std::max(up, length - down);
-  if (braked > 0) {
-    time += (peak - std::sqrt(std::max(0.0, peak * peak - 2 * a * braked))) / a;
-  }
-  return time;
+  peak_ = std::min(speed.most, std::sqrt((v0 * v0 + v1 * v1) / 2 + a * length));
+  up_ = std::max(0.0, (peak_ * peak_ - v0 * v0) / (2 * a));
+  brake_at_ = length - std::max(0.0, (peak_ * peak_ - v1 * v1) / (2 * a));
+  speeding_ = speeding_until(up_);
+}
+
+double MoveClock::speeding_until(double way) const {
+  return (std::sqrt(first_ * first_ + 2 * acceleration_ * way) - first_) /
+         acceleration_;
+}
+
+double MoveClock::at(double way) const {
+  if (acceleration_ <= 0) return way / peak_;
+  if (way <= up_) return speeding_until(way);
+  const double steady = std::min(way, brake_at_) - up_;
+  const double time = speeding_ + std::max(0.0, steady) / peak_;
+  const double braked = way - std::max(up_, brake_at_);
+  if (braked <= 0) return time;
+  const double left = std::max(0.0, peak_ * peak_ - 2 * acceleration_ * braked);
+  return time + (peak_ - std::sqrt(left)) / acceleration_;
 }
 
 }  // namespace unstep::steps

@@ -1,11 +1,12 @@
 #include <algorithm>
+#include <cstring>
 #include <new>
 #include <utility>
 
 #include "codec/byte_writer.h"
 #include "codec/checksum.h"
 #include "formats/decimal.h"
-#include "formats/gcode_writer_number.h"
+#include "formats/gcode_number.h"
 #include "steps/format.h"
 #include "unstep/step_stream.h"
 
@@ -23,6 +24,15 @@ void append_varint(std::string& out, std::uint64_t value) {
 std::uint64_t zigzag(std::int64_t value) {
   return value >= 0 ? 2 * static_cast<std::uint64_t>(value)
                     : 2 * static_cast<std::uint64_t>(-(value + 1)) + 1;
+}
+
+/// Two words a byte, eight at a time. Bytes are in memory's order, low first.
+std::uint32_t pack_eight(const StepWord* words) {
+  std::uint64_t all = 0;
+  std::memcpy(&all, words, 8);
+  all = (all | all >> 4) & 0x00ff00ff00ff00ffU;
+  all = (all | all >> 8) & 0x0000ffff0000ffffU;
+  return static_cast<std::uint32_t>(all | all >> 16);
 }
 
 class Binary : public Format {
@@ -47,10 +57,8 @@ class Binary : public Format {
           std::min<std::size_t>(run.words.size() - at, kMaxRunPart);
       append_varint(out, 2 * count + (run.rapid ? 1 : 0));
       append_words(std::span(run.words).subspan(at, count), out);
-      for (std::size_t i = at; i < at + count && !run.waits.empty(); ++i) {
-        append_varint(out, zigzag(std::int64_t{run.waits[i]} - wait_));
-        wait_ = run.waits[i];
-      }
+      if (run.waits.empty()) continue;
+      append_waits(std::span(run.waits).subspan(at, count), out);
     }
     sum(out, begin);
   }
@@ -74,10 +82,28 @@ class Binary : public Format {
     out.resize(begin + (words.size() + 1) / 2);
     char* to = out.data() + begin;
     std::size_t i = 0;
+    for (; i + 8 <= words.size(); i += 8, to += 4) {
+      const std::uint32_t packed = pack_eight(words.data() + i);
+      std::memcpy(to, &packed, 4);
+    }
     for (; i + 1 < words.size(); i += 2) {
       *to++ = static_cast<char>(words[i] | words[i + 1] << 4);
     }
     if (i < words.size()) *to = static_cast<char>(words[i]);
+  }
+  /// A change of a wait has 33 bits, 5 bytes at most.
+  void append_waits(std::span<const std::uint32_t> waits, std::string& out) {
+    const std::size_t begin = out.size();
+    out.resize(begin + 5 * waits.size());
+    char* to = out.data() + begin;
+    for (const std::uint32_t wait : waits) {
+      std::uint64_t value = zigzag(std::int64_t{wait} - wait_);
+      for (; value >= 0x80; value >>= 7)
+        *to++ = static_cast<char>(value | 0x80);
+      *to++ = static_cast<char>(value);
+      wait_ = wait;
+    }
+    out.resize(static_cast<std::size_t>(to - out.data()));
   }
   void sum(const std::string& out, std::size_t begin) {
     crc_ = codec::crc_bytes(
@@ -157,6 +183,25 @@ void append_head_words(std::string& out, const StepHead& head) {
   }
 }
 
+/// is_step_word() of all, eight at a time.
+bool are_step_words(std::span<const StepWord> words, int axes) {
+  constexpr std::uint64_t kBytes = 0x0101010101010101U;
+  const auto unused = static_cast<std::uint8_t>(0xffU << (2 * axes));
+  std::uint64_t bad = 0;
+  std::size_t i = 0;
+  for (; i + 8 <= words.size(); i += 8) {
+    std::uint64_t all = 0;
+    std::memcpy(&all, words.data() + i, 8);
+    // Backwards without a step; 0, which alone does not reach 0x80.
+    bad |= (all & kBytes * unused) | (all >> 1 & ~all & kBytes * 0x15) |
+           (~(all + kBytes * 0x7f) & kBytes * 0x80);
+  }
+  for (; i < words.size(); ++i) {
+    if (!is_step_word(words[i], axes)) return false;
+  }
+  return bad == 0;
+}
+
 Status check_head(const StepHead& head) {
   if (head.axes != 2 && head.axes != 3) {
     return Error{ErrorCode::invalid_argument, "steps have 2 or 3 axes"};
@@ -181,13 +226,7 @@ Status check_run(const StepHead& head, const StepRun& run) {
     return Error{ErrorCode::invalid_argument,
                  "as many waits as steps, or none if there is no clock"};
   }
-  // One pass without a branch per word.
-  std::array<bool, 256> known{};
-  for (unsigned word = 0; word < 256; ++word) {
-    known[word] = is_step_word(word, head.axes);
-  }
-  bool all = true;
-  for (const StepWord word : run.words) all = all & known[word];
+  bool all = are_step_words(run.words, head.axes);
   for (const std::uint32_t wait : run.waits) all = all & (wait > 0);
   if (all) return {};
   return Error{ErrorCode::invalid_argument,

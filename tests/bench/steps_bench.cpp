@@ -47,12 +47,17 @@ void lines_written(benchmark::State& state) {
 }
 BENCHMARK(lines_written)->Arg(20)->Arg(300)->Arg(5000)->Arg(200000);
 
+/// Turns of a radius of so many steps, and one more for each.
 void circles_written(benchmark::State& state) {
+  const auto radius = state.range(0);
   std::string text = "G0 X0 Y0\n";
-  for (int i = 0; i < 40; ++i) text += "G2 I80 J3\n";
+  for (std::int64_t i = 0; i < 400'000 / radius + 1; ++i) {
+    text +=
+        "G2 I" + std::to_string(static_cast<double>(radius) / 100) + " J0.03\n";
+  }
   write(state, *read_gcode(text, {}), {});
 }
-BENCHMARK(circles_written);
+BENCHMARK(circles_written)->Arg(20)->Arg(300)->Arg(8000);
 
 void timed_lines_written(benchmark::State& state) {
   StepMakeOptions options;

@@ -34,6 +34,45 @@ class Programs(harness.CliTest):
                                      r"1 arc, [\d,]+ bytes -> \d+\n$")
         self.assertEqual(self.text("out.ngc").count("\n"), 5)
 
+    def test_verify_measures_what_is_shorter(self):
+        self.given("in.ngc", circle(300))
+        self.run_cli("convert", "in.ngc", "out.ngc", "--tolerance", "0.05mm")
+        self.run_cli("compress", "in.ngc", "--tolerance", "0.05mm")
+        for name in ("out.ngc", "in.ustp"):
+            result = self.run_cli("verify", "in.ngc", name, *(
+                ["--tolerance", "0.05mm"] if name == "out.ngc" else []))
+            self.assertEqual((result.code, result.err), (0, ""))
+            self.assertRegex(result.out, name + r": deviates by up to "
+                             r"0\.0\d+ mm, of 0\.05 mm allowed, at \(.*\), "
+                             r"line \d+\n.* are the same within the bound: ")
+        self.run_cli("convert", "in.ngc", "lines.ngc", "--no-arcs",
+                     "--tolerance", "0.05mm")
+        self.given("far.ngc", self.text("lines.ngc").replace("X20", "X20.06"))
+        result = self.run_cli("verify", "in.ngc", "far.ngc",
+                              "--tolerance", "0.05mm")
+        self.assertEqual((result.code, result.err), (1, ""))
+        self.assertRegex(result.out, r"^in\.ngc and far\.ngc differ: deviates "
+                         r"by up to 0\.06\d* mm, of 0\.05 mm allowed, at "
+                         r"\(.*\), line [34]\n$")
+        result = self.run_cli("verify", "in.ngc", "far.ngc",
+                              "--tolerance", "2px")
+        self.assertEqual(result.code, 2)
+
+    def test_loops_are_carried_out_within_a_limit(self):
+        self.given("in.ngc", HEAD + "o1 repeat [3]\nG91 G1 X1\n"
+                   "o1 endrepeat\nM2\n")
+        result = self.run_cli("convert", "in.ngc", "out.ngc")
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.text("out.ngc").count("X1\n"), 3)
+        self.given("in.ngc", "G0 X1\no1 while [1]\no1 endwhile\nM2\n")
+        result = self.run_cli("convert", "in.ngc", "no.ngc",
+                              "--max-lines", "1000")
+        self.assertEqual(result.code, 3)
+        self.assertEqual(result.err,
+                         "unstep: in.ngc: line 3: more than the limit of 1000 "
+                         "lines carried out: a loop may have no end\n")
+        self.assertEqual(self.names(), ["in.ngc", "out.ngc"])
+
     def test_without_tolerance_every_motion_stays(self):
         self.given("in.nc", HEAD + "G02 X30 R5\nM2\n")
         result = self.run_cli("convert", "in.nc", "out.tap",
@@ -124,7 +163,8 @@ class Stored(harness.CliTest):
         result = self.run_cli("decompress", "in.ustp", "--to", "svg")
         self.assertEqual(result.code, 0, result.err)
         result = self.run_cli("verify", "in.ngc", "in.ustp")
-        self.assertEqual(result.code, 1)
+        self.assertEqual(result.code, 0)
+        self.assertIn(", of 0.005 mm allowed", result.out)
 
     def test_drawings_are_no_programs(self):
         self.write("in.svg", (SVG % ' width="50mm" height="40mm"').encode())
@@ -156,6 +196,76 @@ class Steps(harness.CliTest):
             result = self.run_cli("steps", name, "-o", "back.ngc", "--force")
             self.assertEqual((result.code, result.err), (0, ""))
             self.assertEqual(self.text("back.ngc"), text + "M2\n")
+
+    def same_steps_again(self, name, *options):
+        """steps -> program -> steps: not a bit differs."""
+        result = self.run_cli("steps", name, "-o", "back.ngc", "--force",
+                              *options)
+        self.assertEqual((result.code, result.err), (0, ""))
+        result = self.run_cli("steps", "back.ngc", "-o", "again.steps",
+                              "--force", *options)
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(self.read("again.steps"), self.read(name))
+
+    def test_reversed_steps_are_made_again(self):
+        lines = ["G21 G90 G17 G94", "G0 X0 Y0 Z0"]
+        for i in range(1, 120):
+            lines.append("G1 X%.2f Y%.2f Z%.2f F900" %
+                         (i * 7919 % 4001 / 100, i * 104729 % 3001 / 100,
+                          i * 31 % 7 / 100))
+            if i % 4 == 0:
+                lines.append("G%d I%.2f J%.2f" % (2 + i // 4 % 2, i / 10, 0.37))
+            if i % 9 == 0:
+                lines.append("G0 X%.2f Y%.2f" % (i / 3, i / 7))
+        self.given("in.ngc", "\n".join(lines + ["M2", ""]))
+        for options in ([], ["--step", "0.05mm"], ["--method", "evaluation"],
+                        ["--method", "device"], ["--no-arcs"]):
+            options = options + ["--axes", "2"]
+            self.run_cli("steps", "in.ngc", "-o", "a.steps", "--force",
+                         *options)
+            self.same_steps_again("a.steps", *options)
+        self.run_cli("steps", "in.ngc", "-o", "a.steps", "--force")
+        self.same_steps_again("a.steps")
+
+    def test_noise_is_made_again(self):
+        state, words = 1, bytearray()
+        for _ in range(3000):
+            state = state * 1103515245 + 12345 & 0x7fffffff
+            words.append(b"\x01\x03\x04\x0c\x05\x07\x0d\x0f"[state >> 16 & 7])
+        self.write("a.raw", bytes(words))
+        self.run_cli("steps", "a.raw", "-o", "a.steps")
+        self.same_steps_again("a.steps")
+
+    def test_recorded_circles_and_polygons_come_back(self):
+        figures = [
+            "G1 X10 Y0 F1000\nY10\nX0\nY0\n",                  # a square
+            "G1 X12.34 Y0.57 F1000\nX3.21 Y9.87\nX0 Y0\n",      # a triangle
+            "G1 X8 Y1 F1000\nX11.5 Y7.3\nX5 Y12\nX-2 Y8.4\nX0 Y0\n",
+            "G2 I0.05 F1000\n", "G3 I3 F1000\n", "G2 I5.01 J2.5 F1000\n",
+            "G3 I-80.07 J61.3 F1000\n", "G2 I0 J-200 F1000\n",
+            "G1 X10 Y0 F1000\nG3 X13 Y3 J3\nG1 Y9\nG3 X10 Y12 I-3\nG1 X0\n"
+            "G3 X-3 Y9 J-3\nG1 Y3\nG3 X0 Y0 I3\n",             # round corners
+        ]
+        state = 5
+        for _ in range(12):
+            corners = []
+            for _ in range(14):
+                state = state * 1103515245 + 12345 & 0x7fffffff
+                corners.append((state >> 12) % 8000 / 100 - 40)
+            figures.append("".join(
+                "G1 X%.2f Y%.2f F1000\n" % (corners[k], corners[k + 1])
+                for k in range(0, 14, 2)) + "G1 X0 Y0 F1000\n")
+        for i, figure in enumerate(figures):
+            text = "G21 G90 G17 G94\nG0 X0 Y0\n" + figure
+            self.given("in.ngc", text + "M2\n")
+            self.run_cli("convert", "in.ngc", "tidy.ngc", "--force")
+            for ending in ("steps", "vcd", "csv") if i < 9 else ("steps",):
+                name = "a%d.%s" % (i, ending)
+                self.run_cli("steps", "in.ngc", "-o", name)
+                result = self.run_cli("steps", name, "-o", "back.ngc",
+                                      "--force")
+                self.assertEqual((result.code, result.err), (0, ""))
+                self.assertEqual(self.text("back.ngc"), self.text("tidy.ngc"))
 
     def test_steps_take_the_time_of_the_machine(self):
         self.given("in.ngc", "G0 X0 Y0\nG1 X10 F600\n")

@@ -84,5 +84,76 @@ class Simulate(unittest.TestCase):
         self.assertEqual(os.listdir(self.folder), ["square.fc"])
 
 
+FIELD = b"""<svg xmlns="http://www.w3.org/2000/svg" width="4096" height="4096"
+ fill="none" stroke="black" stroke-width="1">
+<circle cx="2048" cy="2048" r="1900"/><path d="M300 300H3796V3796H300Z"/>
+<path d="M300 300L3796 3796M1000 2048A700 400 20 0 1 2500 1500L2600 2900
+1200 2700ZM40 40H4050M60 4040L70 60"/></svg>
+"""
+# Of 4096 points 0.1 % is 4.1; the spot is one point wide.
+WITHIN = 5
+
+
+def ink_of(path):
+    """The ink pixels of a PBM file, as a set of (x, y)."""
+    with open(path, "rb") as file:
+        magic, size, bits = file.read().split(b"\n", 2)
+    width, height = map(int, size.split())
+    assert magic == b"P4"
+    row_bytes = (width + 7) // 8
+    pixels = set()
+    for i, byte in enumerate(bits[:row_bytes * height]):
+        if byte:
+            y, x = divmod(i, row_bytes)
+            pixels.update((8 * x + k, y) for k in range(8)
+                          if byte >> (7 - k) & 1)
+    return pixels
+
+
+def farthest(ink, other):
+    """The square of the largest way from ink to the nearest of the other."""
+    reach = range(-WITHIN - 2, WITHIN + 3)
+    ways = sorted((dx * dx + dy * dy, dx, dy) for dx in reach for dy in reach)
+    worst = 0
+    for x, y in ink:
+        worst = max(worst, next((square for square, dx, dy in ways
+                                 if (x + dx, y + dy) in other), 10 ** 6))
+    return worst
+
+
+class RoundTrip(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="unstep-cli-")
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_one(self, *words):
+        done = subprocess.run([PROGRAM, *words], capture_output=True,
+                              check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_drawing_comes_back_through_both_machines(self):
+        path = self.path
+        with open(path("first.svg"), "wb") as file:
+            file.write(FIELD)
+        # Stored, drawn step by step under the laser, exposed, scanned, stored.
+        self.run_one("compress", path("first.svg"), "-o", path("first.ustp"))
+        self.run_one("simulate", path("first.ustp"), "--machine", "zenit",
+                     "--exposure", path("plate.pbm"))
+        self.run_one("simulate", path("plate.pbm"), "--machine", "esu",
+                     "--exposure", path("film.pbm"))
+        self.run_one("compress", path("film.pbm"), "-o", path("last.ustp"))
+        self.run_one("decompress", path("last.ustp"), "-o", path("last.pbm"))
+        self.run_one("convert", path("first.svg"), path("first.pbm"))
+        first, last = ink_of(path("first.pbm")), ink_of(path("last.pbm"))
+        self.assertGreater(len(first), 40000)
+        self.assertNotEqual(first, last)
+        self.assertLessEqual(farthest(first, last), WITHIN ** 2)
+        self.assertLessEqual(farthest(last, first), WITHIN ** 2)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,5 +1,5 @@
-"""docs/format.md is enough to write a decoder of ink from: the one here
-agrees with the program, and the example of the page is what both do."""
+"""docs/format.md is enough to write decoders of ink and of programs from: those
+here agree with the program, and the example of the page is what both do."""
 
 import os
 import pathlib
@@ -13,6 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from decode_ink import varint  # pylint: disable=wrong-import-position
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM_DECODER = pathlib.Path(__file__).parent / "decode_program.py"
 DECODER = pathlib.Path(__file__).parent / "decode_ink.py"
 PROGRAM = os.environ["UNSTEP_PROGRAM"]
 
@@ -172,6 +173,53 @@ class SecondDecoder(unittest.TestCase):
                 [PROGRAM, "verify", self.path("a.ustp")],
                 capture_output=True, check=False)
             self.assertNotEqual(verified.returncode, 0)
+
+
+class SecondDecoderOfPrograms(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def decode(self):
+        return subprocess.run(
+            [sys.executable, "-B", str(PROGRAM_DECODER),
+             self.folder / "a.ustp", self.folder / "second.ngc"],
+            capture_output=True, text=True, check=False)
+
+    def check_agrees(self, source, *options):
+        subprocess.run([PROGRAM, "compress", "-qf", source, "-o",
+                        self.folder / "a.ustp", *options], check=True,
+                       stderr=subprocess.DEVNULL)
+        subprocess.run([PROGRAM, "decompress", "-qf", self.folder / "a.ustp",
+                        "-o", self.folder / "first.ngc"], check=True)
+        second = self.decode()
+        self.assertEqual(second.stderr, "")
+        self.assertEqual((self.folder / "second.ngc").read_bytes(),
+                         (self.folder / "first.ngc").read_bytes())
+
+    def test_programs(self):
+        for path in sorted((ROOT / "tests/programs").iterdir()):
+            if path.name != "tiny.ngc":  # long
+                self.check_agrees(path)
+        self.check_agrees(ROOT / "tests/programs/tiny.ngc", "--tolerance",
+                          "0.01mm")
+
+    def test_extrusion(self):
+        lines = ["M83", "G28", "G1 X1 Y1 Z0.2 E0.5 F1500"]
+        lines += ["G1 X%.2f Y%.2f E%.5f" % (i * 7 % 50, i * 3 % 40, i % 9 / 30)
+                  for i in range(60)]
+        lines.insert(30, "M82 ; absolute")
+        (self.folder / "a.gcode").write_text("\n".join(lines) + "\n")
+        self.check_agrees(self.folder / "a.gcode")
+
+    def test_a_payload_has_one_spelling(self):
+        self.check_agrees(ROOT / "tests/programs/arcs.ngc")
+        file = (self.folder / "a.ustp").read_bytes()
+        for damaged in (file[:-1], file + b"\1",
+                        file[:-1] + bytes([file[-1] ^ 1])):
+            (self.folder / "a.ustp").write_bytes(damaged)
+            self.assertNotEqual(self.decode().returncode, 0)
 
 
 if __name__ == "__main__":

@@ -44,13 +44,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   using namespace unstep;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   GcodeReadOptions options;
-  options.limits = {1U << 16, 1U << 12, 4U << 20};
+  options.limits = {1U << 16, 1U << 12, 4U << 20, 10'000};
   const Result<Program> program = read_gcode(text, options);
   if (!program) {
     fuzz::require_sound(program.error());
     return 0;
   }
-  options.limits = {1U << 20, 1U << 16, 64U << 20};
+  options.limits = {1U << 20, 1U << 16, 64U << 20, 100'000};
   require_same_motions(*program, options);
   CompactOptions how;
   how.tolerance_mm = 0.01;

@@ -167,18 +167,6 @@ TEST(gcode_reader, canned_cycles_and_homing_lose_the_position) {
   }
 }
 
-TEST(gcode_reader, control_flow_is_kept_and_ends_understanding) {
-  const Program program =
-      read("G0 X1\no100 while [#1 LT 3]\nG1 X2 F9\no100 endwhile\nM2\n");
-  ASSERT_EQ(program.items.size(), 5U);
-  for (std::size_t i = 1; i < 5; ++i) {
-    EXPECT_TRUE(program.items[i].unknown_effect);
-  }
-  EXPECT_EQ(strict_error("G0 X1\no100 while [1]\n"),
-            "line 2: control flow, and all that follows it is not understood");
-  EXPECT_TRUE(read("O1000\nG0 X1\n").notes.empty());
-}
-
 TEST(gcode_reader, block_delete_is_an_option) {
   GcodeReadOptions options;
   EXPECT_TRUE(read("/G0 X1\n").items[0].unknown_effect);

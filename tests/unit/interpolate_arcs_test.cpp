@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "interpolate/arc_steps.h"
 #include "interpolate/arc_walk.h"
 #include "interpolate/circular.h"
 #include "unit/interpolate_oracle.h"
@@ -182,6 +185,71 @@ TEST(Circular, StepsOneAxisUnlessDiagonalsAreAsked) {
   EXPECT_GT(combined.diagonal, 0U);
   EXPECT_LT(combined.ticks, single.ticks);
   EXPECT_LT(combined.worst, single.worst);
+}
+
+/// What Circular draws tick by tick, at most `most` steps.
+std::vector<Step> ticks_of(const Arc& arc, bool combined, std::size_t most) {
+  InterpolatorOptions options;
+  options.combined = combined;
+  Interpolator run = arc_of(Method::circular, arc, options);
+  std::vector<Step> steps;
+  for (Tick t = run.next(); t.kind != Tick::Kind::done && steps.size() < most;
+       t = run.next())
+    steps.push_back(t.step);
+  return steps;
+}
+
+/// The same in bulk, in pieces of `piece`.
+std::vector<Step> bulk_of(const Arc& arc, bool combined, std::size_t most,
+                          std::size_t piece) {
+  interpolation::ArcSteps run(*interpolation::check_arc(arc), combined,
+                              interpolation::kFreemanLetters);
+  std::vector<Step> steps(most);
+  std::size_t count = 0;
+  while (count < most) {
+    const std::size_t room = std::min(piece, most - count);
+    const std::size_t n = run.fill(std::span(steps).subspan(count, room));
+    count += n;
+    if (n < room) break;
+  }
+  steps.resize(count);
+  return steps;
+}
+
+TEST(ArcSteps, AreThoseOfCircularForEverySmallArc) {
+  for (std::int32_t cx = -6; cx <= 6; ++cx)
+    for (std::int32_t cy = -6; cy <= 6; ++cy)
+      for (std::int32_t ex = -13; ex <= 13; ++ex)
+        for (std::int32_t ey = -13; ey <= 13; ++ey)
+          for (const unsigned kind : {0U, 1U, 2U, 3U}) {
+            const Arc arc{{cx, cy}, {ex, ey}, kind % 2 == 0};
+            if (!interpolation::check_arc(arc)) continue;
+            ASSERT_EQ(bulk_of(arc, kind > 1, 200, 7),
+                      ticks_of(arc, kind > 1, 200))
+                << text(arc);
+          }
+}
+
+TEST(ArcSteps, AreThoseOfCircularForRandomAndLargestArcs) {
+  std::mt19937 random(4);
+  for (const std::int32_t span : {30, 1000, 30'000, kMaxCoord / 2}) {
+    std::uniform_int_distribution<std::int32_t> coordinate(-span, span);
+    for (int i = 0; i < 40; ++i) {
+      Arc arc{{coordinate(random), coordinate(random)}, {0, 0}, i % 2 == 0};
+      if (arc.centre == Point{}) continue;
+      const double radius = std::hypot(arc.centre.x, arc.centre.y);
+      const double angle = static_cast<double>(random()) * 1e-9;
+      if (i % 5 != 0) {
+        arc.end.x = static_cast<std::int32_t>(
+            std::lround(arc.centre.x + radius * std::cos(angle)));
+        arc.end.y = static_cast<std::int32_t>(
+            std::lround(arc.centre.y + radius * std::sin(angle)));
+      }
+      ASSERT_EQ(bulk_of(arc, i % 3 != 0, 20'000, 4999),
+                ticks_of(arc, i % 3 != 0, 20'000))
+          << text(arc);
+    }
+  }
 }
 
 TEST(Circular, CorrectsTheFeedWithEveryStep) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "unstep/bitmap.h"
 #include "unstep/grid.h"
+#include "unstep/program.h"
 #include "unstep/result.h"
 
 /// How far a path is from the chain that it stands for. Written apart from
@@ -96,5 +98,25 @@ Result<InkDistance> measure_ink(const Bitmap& a, const Bitmap& b);
 /// a path has arcs.
 Result<Deviation> measure_device_deviation(const Drawing& chains,
                                            const Drawing& paths);
+
+/// The largest Frechet distance between what two programs cut, and where.
+struct ProgramDeviation {
+  double distance = 0;         ///< mm, rounded up: the true one is not larger
+  double least = 0;            ///< nor smaller than this, 3e-6 mm below
+  std::array<double, 3> at{};  ///< mm, machine coordinates, on the first
+  std::uint32_t line = 0;      ///< of the first's source; 0: no place is off
+};
+
+/// Measures a program that stands for another, in x, y and z: the paths between
+/// rapids and changes of feed or spindle are compared one by one, in the order
+/// of travel, arcs as chords within 1e-6 mm, and the ends of rapids point by
+/// point. Shares nothing with compact(). Text is not compared; what is not
+/// understood is left out. Nothing is measured after a distance above
+/// `limit_mm`, whose `distance` may be too small. `corrupt`, naming lines, if
+/// the programs have other rapids, feeds, spindle speeds, or ends of other
+/// axes; out_of_range for a limit that is not 1e-4 to 1000 mm.
+Result<ProgramDeviation> measure_program_deviation(const Program& first,
+                                                   const Program& second,
+                                                   double limit_mm);
 
 }  // namespace unstep

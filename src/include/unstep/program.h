@@ -151,6 +151,8 @@ struct ProgramLimits {
   std::uint64_t max_bytes = std::uint64_t{1} << 31;
   std::uint64_t max_line_bytes = 1U << 16;
   std::uint64_t max_memory = std::uint64_t{4} << 30;  ///< of the Program
+  /// Lines carried out, where the program has loops or subroutines.
+  std::uint64_t max_executed_lines = 10'000'000;
 };
 
 struct GcodeReadOptions {
@@ -160,6 +162,10 @@ struct GcodeReadOptions {
   /// Lines that begin with "/": kept as they are, carried out, or left out.
   enum class BlockDelete : std::uint8_t { keep, execute, skip };
   BlockDelete block_delete = BlockDelete::keep;
+  /// Subroutines, loops and branches (O words of LinuxCNC): the program is
+  /// what they make of it, or they and all that follows is kept as it stands.
+  /// The same where what they do depends on more than the program says.
+  bool execute_flow = true;
   /// What is in force at the start, where the program does not say.
   bool inches = false;
   /// An arc is refused if its radius differs between start and end by more

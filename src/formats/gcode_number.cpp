@@ -1,4 +1,4 @@
-#include "formats/gcode_writer_number.h"
+#include "formats/gcode_number.h"
 
 #include <array>
 
