@@ -111,11 +111,8 @@ std::vector<Sample> coded_samples() {
       {"coded white", write_pages(std::vector{*Bitmap::create(8, 8)}, {})},
       {"coded dot",
        write_pages(std::vector{ink_of({"...", ".#.", "..."})}, {})},
-      {"icon", write_pages(std::vector{icon()}, {})},
-      {"icon with resolution", with_resolution(icon())},
-      {"icon from batch", write_pages(std::vector{icon()}, batch_options())},
-      {"chains", write_chains({}, {})},
-      {"chains from batch", write_chains(batch_options(), rich_info())},
+      {"icon", with_resolution(icon())},
+      {"chains from batch", write_chains(batch_options(), {})},
       {"paths", write_paths({}, {})},
   };
 }
