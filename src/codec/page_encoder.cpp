@@ -1,6 +1,7 @@
 #include "codec/page_encoder.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <span>
 #include <string>
@@ -33,18 +34,50 @@ std::int32_t band_count(const Bitmap& ink, int wanted) {
       std::min(count, static_cast<std::uint64_t>(ink.height())));
 }
 
-/// Bands of equal height, but for a row.
+/// About what coding a row costs: its words are looked through, and a step is
+/// taken for each crack between ink and paper.
+std::uint64_t row_work(const Bitmap& ink, std::int32_t y) {
+  constexpr std::uint64_t kWordsAStep = 6;
+  const auto row = ink.row(y);
+  std::uint64_t cracks = 0;
+  std::uint64_t left = 0;  // the pixel before the word, in the highest bit
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::uint64_t above = y > 0 ? ink.row(y - 1)[i] : 0;
+    cracks += static_cast<std::uint64_t>(
+        std::popcount(row[i] ^ (row[i] >> 1 | left)) +
+        std::popcount(row[i] ^ above));
+    left = row[i] << 63;
+  }
+  return row.size() + kWordsAStep * cracks;
+}
+
+/// Bands of about equal work, so that threads end together. Those that nobody
+/// asked for are of equal height, which bounds the memory of each.
 std::vector<BlockParts> cut_bands(const Bitmap& ink, int wanted) {
   const std::int32_t count = band_count(ink, wanted);
+  const auto work = [&](std::int32_t y) {
+    return wanted > 1 ? row_work(ink, y) : 1;
+  };
+  std::uint64_t total = 0;
+  for (std::int32_t y = 0; y < ink.height() && count > 1; ++y) total += work(y);
   std::vector<BlockParts> bands(static_cast<std::size_t>(count));
+  std::uint64_t done = 0;
   std::int32_t row = 0;
   for (std::int32_t i = 0; i < count; ++i) {
     BlockParts& band = bands[static_cast<std::size_t>(i)];
     band.first_row = row;
-    band.rows = (ink.height() - row) / (count - i);
-    band.box = {0, row, static_cast<std::uint32_t>(ink.width()),
+    const auto bands_done = static_cast<std::uint64_t>(i) + 1;
+    const std::uint64_t end =
+        total * bands_done / static_cast<std::uint64_t>(count);
+    // A row at least for this band and each that follows.
+    const std::int32_t last = ink.height() - (count - 1 - i);
+    do {
+      done += work(row);
+      ++row;
+    } while (row < last && (i + 1 == count || done < end));
+    band.rows = row - band.first_row;
+    band.box = {0, band.first_row, static_cast<std::uint32_t>(ink.width()),
                 static_cast<std::uint32_t>(band.rows)};
-    row += band.rows;
   }
   return bands;
 }

@@ -77,6 +77,32 @@ TEST(ContainerInk, RoundTripsBandsWithoutDependingOnJobs) {
   }
 }
 
+TEST(ContainerInk, BandsHoldAboutEqualWork) {
+  const auto rows_of = [](const Bitmap& ink, int bands) {
+    EncodeOptions options;
+    options.bands = bands;
+    const Bytes file = write_pages(std::vector{ink}, options);
+    const Result<UstpReader> reader = open(file);
+    std::vector<std::int32_t> rows;
+    for (const PageEntry::Block& block : reader->info().pages[0].blocks) {
+      rows.push_back(block.rows);
+    }
+    return rows;
+  };
+  EXPECT_EQ(rows_of(*Bitmap::create(200, 90), 3),
+            (std::vector<std::int32_t>{30, 30, 30}));
+  Bitmap ink = *Bitmap::create(200, 400);
+  const Bitmap noise = random_ink(200, 100, 8);
+  for (std::int32_t y = 0; y < 100; ++y) {
+    const auto row = noise.row(y);
+    std::copy(row.begin(), row.end(), ink.row(300 + y).begin());
+  }
+  const std::vector<std::int32_t> rows = rows_of(ink, 2);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_NEAR(rows[0], 350, 5);
+  EXPECT_EQ(rows[0] + rows[1], 400);
+}
+
 TEST(ContainerInk, NeverMakesMoreBandsThanRows) {
   EncodeOptions options;
   options.bands = 50;

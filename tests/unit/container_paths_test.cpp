@@ -281,7 +281,7 @@ TEST(InkPages, ABoxNeedsMemoryForItsBandsOnly) {
   options.bands = 8;
   const Bytes file = testing::write_pages({&ink, 1}, options);
   DecodeOptions limited;
-  limited.limits.max_pixels = 640 * 50;
+  limited.limits.max_pixels = 640 * 56;  // a band has about 50 rows
   const auto reader = UstpReader::open(file, limited);
   ASSERT_TRUE(reader);
   EXPECT_FALSE(reader->read_page(0));
