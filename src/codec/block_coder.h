@@ -25,18 +25,6 @@ struct CoderName {
   friend bool operator==(const CoderName&, const CoderName&) = default;
 };
 
-/// The coder of nearly all short files with such a page, which they need not
-/// name (docs/format.md, Short form).
-[[nodiscard]] constexpr CoderName usual_coder(PageKind kind) {
-  switch (kind) {
-    case PageKind::ink: return {1, 0, 1};
-    case PageKind::chains: return {16, 0, 0};
-    case PageKind::paths: return {24, 0, 1};
-    case PageKind::program: break;
-  }
-  return {28, 0, 0};
-}
-
 /// What a decoder says of a name it does not know. `kind`: "ink", "chain" ...
 [[nodiscard]] inline Error unknown_coder(std::string_view kind,
                                          const CoderName& name) {
@@ -54,6 +42,19 @@ inline constexpr std::uint8_t kCoderChains = 16;   ///< chains, mixed models
 inline constexpr std::uint8_t kCoderPaths = 24;    ///< paths, mixed models
 inline constexpr std::uint8_t kCoderStrokes = 25;  ///< paths that repeat
 inline constexpr std::uint8_t kCoderProgram = 28;  ///< programs, mixed models
+
+/// The coder of nearly all short files with such a page, which they do not
+/// name (docs/format.md, Short form). Part of the format, whatever revisions
+/// come.
+[[nodiscard]] constexpr CoderName usual_coder(PageKind kind) {
+  switch (kind) {
+    case PageKind::ink: return {kCoderContours, 0, 1};
+    case PageKind::chains: return {kCoderChains, 0, 0};
+    case PageKind::paths: return {kCoderPaths, 0, 1};
+    case PageKind::program: break;
+  }
+  return {kCoderProgram, 0, 0};
+}
 
 struct EncodedBlock {
   CoderName name;

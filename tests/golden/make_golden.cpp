@@ -292,7 +292,7 @@ int main(int argc, char** argv) {
   if (argc == 4 && std::string(argv[1]) == "--program") {
     return unstep::testing::write_program(argv[2], argv[3]);
   }
-  if (argc != 2) {
+  if (argc != 2 || argv[1][0] == '-') {
     std::fprintf(stderr,
                  "usage: make_golden FOLDER | --paths FOLDER | "
                  "--program FOLDER NAME | "
