@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <span>
-#include <unordered_map>
 #include <utility>
 
+#include "codec/bit_count.h"
 #include "codec/shape_finder.h"
 #include "codec/shape_library.h"
 
@@ -29,17 +27,14 @@ constexpr std::int32_t kLineHeight = 60;
 /// A shape that may be referred to, and what finds it fast.
 struct Candidate {
   std::size_t shape;
-  std::uint32_t id;      ///< in the library
-  std::uint64_t coarse;  ///< 8 x 8 cells, one bit each
+  std::uint32_t id;  ///< in the library
 };
 
-int ones(std::uint64_t word) {
-  // Not std::popcount: without an instruction for it that is a call.
-  word -= word >> 1 & 0x5555555555555555ULL;
-  word = (word & 0x3333333333333333ULL) + (word >> 2 & 0x3333333333333333ULL);
-  word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fULL;
-  return static_cast<int>(word * 0x0101010101010101ULL >> 56);
-}
+/// Those of one size, and beside them their 8 x 8 cells, one bit each.
+struct Bucket {
+  std::vector<Candidate> candidates;
+  std::vector<std::uint64_t> coarse;
+};
 
 /// 8 x 8 cells of a glyph, set if half of the cell is ink.
 std::uint64_t coarse_view(const Glyph& glyph) {
@@ -75,25 +70,51 @@ std::uint64_t coarse_view(const Glyph& glyph) {
   return view;
 }
 
+/// In how many pixels two narrow glyphs differ, in rows first .. end - 1 that
+/// both have; stops a few rows after `limit` is reached.
+std::int32_t narrow_distance(const Glyph& a, const Glyph& b, std::int32_t dy,
+                             std::int32_t first, std::int32_t end, int shift,
+                             std::int32_t limit) {
+  std::int32_t differ = 0;
+  const std::uint64_t* ra = a.row(first);
+  const std::uint64_t* rb = b.row(first + dy);
+  std::int32_t left = end - first;
+  for (; left >= 4 && differ < limit; left -= 4, ra += 4, rb += 4) {
+    differ += ones_of_difference(ra, 8, rb, shift);
+  }
+  for (; left > 0 && differ < limit; --left) {
+    differ += ones(*ra++ >> 8 ^ *rb++ >> shift);
+  }
+  return differ;
+}
+
 /// In how many pixels two glyphs differ, (i, j) of a lying on (i + dx, j + dy)
 /// of b; stops at `limit`. REQUIRES: |dx| < 8.
 std::int32_t distance(const Glyph& a, const Glyph& b, std::int32_t dx,
                       std::int32_t dy, std::int32_t limit) {
   static constexpr std::array<std::uint64_t, kMaxShapeSide / 64 + 1> kBlank{};
   std::int32_t differ = 0;
+  const std::int32_t top = std::min(0, -dy);
   const std::int32_t bottom = std::max(a.height, b.height - dy);
-  const std::size_t words = std::max(a.stride(), b.stride()) + 1;
-  const bool narrow = std::max(a.width, b.width) <= 48;
   const int shift = 8 - dx;  // b moves by it, a by 8, so both to the right
-  for (std::int32_t y = std::min(0, -dy); y < bottom && differ < limit; ++y) {
-    const bool in_a = y >= 0 && y < a.height;
-    const bool in_b = y + dy >= 0 && y + dy < b.height;
-    const std::uint64_t* ra = in_a ? a.row(y) : kBlank.data();
-    const std::uint64_t* rb = in_b ? b.row(y + dy) : kBlank.data();
-    if (narrow) {
-      differ += ones(ra[0] >> 8 ^ rb[0] >> shift);
-      continue;
+  const auto row_of = [](const Glyph& glyph, std::int32_t y) {
+    return y >= 0 && y < glyph.height ? glyph.row(y) : kBlank.data();
+  };
+  if (std::max(a.width, b.width) <= 48) {
+    const std::int32_t first = std::max(0, -dy);
+    const std::int32_t end = std::max(first, std::min(a.height, b.height - dy));
+    for (std::int32_t y = top; y < bottom; ++y) {
+      if (y == first) y = end;
+      if (y >= bottom) break;
+      differ += ones(*row_of(a, y) ^ *row_of(b, y + dy));
     }
+    return differ +
+           narrow_distance(a, b, dy, first, end, shift, limit - differ);
+  }
+  const std::size_t words = std::max(a.stride(), b.stride()) + 1;
+  for (std::int32_t y = top; y < bottom && differ < limit; ++y) {
+    const std::uint64_t* ra = row_of(a, y);
+    const std::uint64_t* rb = row_of(b, y + dy);
     std::uint64_t last_a = 0;
     std::uint64_t last_b = 0;
     for (std::size_t i = 0; i < words; ++i) {
@@ -172,10 +193,16 @@ class Matcher {
   }
 
  private:
+  static std::size_t bucket_of(std::int32_t height, std::int32_t width) {
+    return static_cast<std::size_t>(height * (kMaxShapeSide + 1) + width);
+  }
+
   void offer(const std::vector<PlacedShape>& shapes, std::size_t index,
              std::uint32_t id, std::uint64_t view) {
     const Glyph& glyph = shapes[index].glyph;
-    buckets_[glyph.height << 10 | glyph.width].push_back({index, id, view});
+    Bucket& bucket = buckets_[bucket_of(glyph.height, glyph.width)];
+    bucket.candidates.push_back({index, id});
+    bucket.coarse.push_back(view);
   }
 
   /// The latest candidates of about this size, the most alike first, later
@@ -186,15 +213,8 @@ class Matcher {
          h <= glyph.height + kNearSize; ++h) {
       for (std::int32_t w = glyph.width - kNearSize;
            w <= glyph.width + kNearSize; ++w) {
-        const auto bucket = buckets_.find(h << 10 | w);
-        if (bucket == buckets_.end()) continue;
-        const std::span<const Candidate> all = bucket->second;
-        for (const Candidate& candidate :
-             all.last(std::min(all.size(), kLatest))) {
-          const int differ = ones(view ^ candidate.coarse);
-          if (differ <= kFarCells) {
-            levels_[static_cast<std::size_t>(differ)].push_back(&candidate);
-          }
+        if (h >= 1 && w >= 1 && h <= kMaxShapeSide && w <= kMaxShapeSide) {
+          gather(buckets_[bucket_of(h, w)], view);
         }
       }
     }
@@ -208,6 +228,22 @@ class Matcher {
       if (near_.size() >= std::size_t{4} * kMaxTries) break;
     }
     near_.resize(std::min(near_.size(), std::size_t{4} * kMaxTries));
+  }
+
+  void gather(const Bucket& bucket, std::uint64_t view) {
+    const std::size_t size = bucket.candidates.size();
+    const auto look = [&](std::size_t i, int differ) {
+      if (differ > kFarCells) return;
+      levels_[static_cast<std::size_t>(differ)].push_back(
+          &bucket.candidates[i]);
+    };
+    std::size_t i = size - std::min(size, kLatest);
+    for (; i + 2 <= size; i += 2) {
+      const auto [first, second] = ones_of_two(&bucket.coarse[i], view);
+      look(i, first);
+      look(i + 1, second);
+    }
+    if (i < size) look(i, ones(view ^ bucket.coarse[i]));
   }
 
   /// Tries all shifts; true if one is better than `best`.
@@ -235,7 +271,7 @@ class Matcher {
 
   std::array<std::vector<const Candidate*>, kFarCells + 1> levels_;
   std::vector<const Candidate*> near_;
-  std::unordered_map<std::int32_t, std::vector<Candidate>> buckets_;
+  std::vector<Bucket> buckets_{(kMaxShapeSide + 1) * (kMaxShapeSide + 1)};
   ShapeLibrary library_;  ///< without the pixels
 };
 
