@@ -1,14 +1,23 @@
+#include <utility>
+
 #include "codec/block_coder.h"
+#include "codec/centreline_coder.h"
 #include "codec/contour_coder.h"
 #include "codec/shape_coder.h"
 #include "codec/stored_coder.h"
 #include "codec/warm_start.h"
 
 namespace unstep::codec {
+namespace {
 
-Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
-                                std::int32_t rows, Effort effort,
-                                const BlockProgress& progress) {
+/// A thin drawing whose lines take more bytes than this has many lines; then
+/// contours were never found to be smaller and are not tried.
+constexpr std::size_t kManyLines = 8192;
+
+Result<EncodedBlock> encode_with_contours(const Bitmap& ink,
+                                          std::int32_t first_row,
+                                          std::int32_t rows, Effort effort,
+                                          const BlockProgress& progress) {
   const std::uint8_t revision = contour_revision(effort);
   if (effort != Effort::fast) {
     Result<std::vector<std::uint8_t>> shapes =
@@ -36,6 +45,30 @@ Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
   }
   return EncodedBlock{{kCoderContours, revision, warm::kTableId},
                       *std::move(contours)};
+}
+
+}  // namespace
+
+Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
+                                std::int32_t rows, Effort effort,
+                                const BlockProgress& progress) {
+  if (effort == Effort::fast || !is_thin(ink, first_row, rows)) {
+    return encode_with_contours(ink, first_row, rows, effort, progress);
+  }
+  Result<std::vector<std::uint8_t>> lines =
+      encode_centrelines(ink, first_row, rows, progress);
+  if (!lines) return lines.error();
+  if (lines->size() <= kManyLines || effort == Effort::max) {
+    Result<EncodedBlock> contours =
+        encode_with_contours(ink, first_row, rows, effort, progress);
+    if (!contours) return contours.error();
+    if (lines->empty() || contours->payload.size() <= lines->size()) {
+      return contours;
+    }
+  }
+  return EncodedBlock{
+      {kCoderCentrelines, kCentrelineRevision, kCentrelineTable},
+      *std::move(lines)};
 }
 
 }  // namespace unstep::codec

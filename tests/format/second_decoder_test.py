@@ -73,6 +73,32 @@ def text(width, height, rough):
     return pbm(["".join(".#"[p] for p in row) for row in page])
 
 
+def thin_map(width, height, pieces):
+    """Polygons of lines one pixel thin, on a grid; they cross and touch."""
+    page, state = [["."] * width for _ in range(height)], 7
+
+    def below(n):
+        nonlocal state
+        state = (state * 1103515245 + 12345) % 2**31
+        return (state >> 12) % n
+
+    def line(a, b):
+        steps = max(abs(b[0] - a[0]), abs(b[1] - a[1]), 1)
+        for i in range(steps + 1):
+            page[a[1] + (b[1] - a[1]) * i // steps][
+                a[0] + (b[0] - a[0]) * i // steps] = "#"
+
+    for _ in range(pieces):
+        corners = [(below(width // 15) * 15, below(height // 15) * 15)]
+        for _ in range(3):
+            x, y = corners[-1]
+            corners.append((min(max(x + below(5) * 15 - 30, 0), width - 1),
+                            min(max(y + below(5) * 15 - 30, 0), height - 1)))
+        for a, b in zip(corners, corners[1:] + corners[:1]):
+            line(a, b)
+    return pbm(["".join(row) for row in page])
+
+
 class SecondDecoder(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -132,6 +158,9 @@ class SecondDecoder(unittest.TestCase):
                                     coder=2)
         for effort in ("max", "fast"):
             self.check_agrees_on_pixels(scattered(70, 30), "--effort", effort)
+
+    def test_thin_lines(self):
+        self.check_agrees_on_pixels(thin_map(300, 300, 20), coder=3)
 
     def test_large_page(self):
         """That starts with the other half of the table."""

@@ -1,0 +1,507 @@
+"""Section "Coder 3: centrelines" of docs/format.md, and what it takes from
+"Coder 16: chains"."""
+import pathlib
+import re
+
+from decisions import RAW, Decisions, Vectors, mix
+from entropy import (K, M64, STRETCH, Damaged, Mixer, Refiner, clamp, move,
+                     squash, top)
+
+DX, DY = (1, 1, 0, -1, -1, -1, 0, 1), (0, -1, -1, -1, 0, 1, 1, 1)
+ORDER = 0, 1, 7, 2, 6, 3, 5, 4
+NODE = {0: 0, 1: 1, 7: 2, 2: 3, 6: 4, 5: 5}
+NEAR = sum(1 << 5 * (v + 2) + u + 2 for u in (-1, 0, 1) for v in (-1, 0, 1)
+           if u or v)
+SOURCE = (pathlib.Path(__file__).resolve().parents[2]
+          / "src/codec/centreline_weights.cpp")
+
+
+def first_weights():
+    text = SOURCE.read_text("utf-8").split("clang-format")[1]
+    vectors = [[int(n) for n in re.findall(r"-?\d+", row)]
+               for row in re.findall(r"\{([-\d,\s]+)\}", text)]
+    return vectors[:16], vectors[16:]
+
+
+def bits(value):
+    return value.bit_length()
+
+
+class Pixels:
+    """What is known: (x, y) -> 1 for ink, 0 for paper."""
+
+    def __init__(self, width, rows):
+        self.width, self.rows = width, rows
+        self.told, self.passed = {}, set()
+
+    def get(self, x, y):
+        if 0 <= x < self.width and 0 <= y < self.rows:
+            return self.told.get((x, y))
+        return 0
+
+    def patch(self, x, y, quarters):
+        """all, near, outer."""
+        known = ink = 0
+        for v in range(-2, 3):
+            for u in range(-2, 3):
+                i, j = u, v
+                for _ in range(quarters):
+                    i, j = j, -i
+                colour = self.get(x + i, y + j)
+                bit = 1 << 5 * (v + 2) + u + 2
+                known |= bit * (colour is not None)
+                ink |= bit * (colour == 1)
+        outer = ink & ~NEAR & ~(1 << 12)
+        return known << 25 | ink, (known & NEAR) << 25 | ink & NEAR, outer
+
+
+class Ruler:
+    def __init__(self):
+        self.n, self.s = {}, 1
+
+    def add(self, i):
+        self.n[i] = min(65535, self.n.get(i, 0) + 1)
+        self.s += 1
+
+    def level(self, i, size):
+        a = self.n.get(i, 0)
+        b = max(self.n.get(i - 1, 0), self.n.get(i + 1, 0))
+        r = 16 * a // (16 * self.s // size + 1)
+        return 9 * min(bits(r), 5) + 3 * (2 * (a > b) + (a == b)) + min(a, 2)
+
+
+class Refined(Decisions):
+    """A model of starts."""
+
+    def __init__(self, weights):
+        super().__init__(10, 14)
+        first = [clamp(4 * w, -32768, 32767) for w in weights]
+        self.mixer.sets = [Vectors(first) for _ in range(3)]
+        self.refiners = Refiner(), Refiner()
+
+    def decode(self, coder, values, node, selectors):
+        counters, inputs = [], []
+        for i, (table, value) in enumerate(zip(self.tables, values)):
+            slot = (mix(value + i, node) * K & M64) >> self.shift
+            counter = table.setdefault(slot, [RAW, 0])
+            counters.append(counter)
+            p, n = counter
+            inputs += STRETCH[p >> 4], (p - 32768) * 51 * min(n, 30) >> 16
+        x = self.mixer.mean(inputs + [77] + self.empty, selectors)
+        p = 2 * squash(x) + sum(r.refine(x, s) for r, s in
+                                zip(self.refiners, selectors))
+        bit = coder.decode(clamp(p // 4, 8, 65528), "")
+        for refiner in self.refiners:
+            refiner.learn(bit)
+        self.mixer.learn(bit)
+        for counter in counters:
+            counter[:] = move(*counter, bit), min(255, counter[1] + 1)
+        return bit
+
+
+class Starts:
+    def __init__(self, pixels, columns, rows, weights):
+        self.pixels, self.columns, self.rows = pixels, columns, rows
+        self.ruler, self.gates = Ruler(), {}
+        self.words = [[0, 0, -1000, 0]
+                      for _ in range((pixels.width + 63) // 64 + 2)]
+        self.last = {}
+        self.any, self.one = Refined(weights[0]), Refined(weights[1])
+        self.y = self.row_before = self.n = 0
+
+    def begin_row(self, y):
+        if self.n:
+            self.row_before = self.y
+        self.y, self.n, self.before = y, 0, -1000
+        if y % 4 == 0:
+            for word in self.words:
+                word[0] -= word[0] // 8
+                word[1] -= word[1] // 64
+
+    def near_ink(self, x):
+        return any(self.pixels.get(x + i, self.y + j)
+                   for j in range(3) for i in range(-2, 3))
+
+    def decode_any(self, coder, unknown, word):
+        left, here, right = self.words[word:word + 3]
+        Q, S = bits(here[0] // 64), bits(here[1] // 64)
+        B = bits((left[0] + right[0]) // 64)
+        W = bits((left[1] + here[1] + right[1]) // 2 // 64)
+        z = bits(len(unknown))
+        c = bits(sum(map(self.near_ink, unknown)))
+        Z, f = 8 * z + c, min(self.n, 3)
+        D = min(self.y - self.row_before, 63)
+        R = self.rows.level(self.y, self.y + 1)
+
+        def A(w, most):
+            return min(self.y - w[2], most)
+
+        gate = self.gates.setdefault(
+            top(12, mix(mix(Q, B), mix(S, mix(f, Z))) * K), [RAW, 0])
+        if gate[1] >= 24 and gate[0] < 512:
+            found = coder.decode(gate[0] + 4, "")
+        else:
+            found = self.any.decode(coder, [
+                mix(Q, z), mix(S, z), mix(W, z), mix(16 * B + Q, Z),
+                mix(f, Z), mix(16 * S + W, c), mix(64 * D + f, 8 * S + c),
+                mix(A(here, 80), 8 * S + c),
+                mix(mix(A(left, 50), A(right, 50)), A(here, 50)),
+                mix(R, mix(min(self.n, 7), S))], 0, (Z, 16 * Q + S, W))
+        gate[:] = move(*gate, found), min(255, gate[1] + 1)
+        return found
+
+    def decode_one(self, coder, x, k):
+        word = self.words[x // 64 + 1]
+        all_, near, _ = self.pixels.patch(x, self.y, 0)
+        e = min(x - self.before, 300)
+
+        def age(i, most):
+            return min(self.y - self.last.get(i, -1000), most)
+
+        t, column = age(x, 60), self.columns.level(x, self.pixels.width)
+        starts = self.ruler.level(x, self.pixels.width)
+        return self.one.decode(coder, [
+            mix(all_, min(t, 20)), mix(near, k), mix(k, 4), mix(e, 5),
+            mix(t, 6), mix(t, mix(e, 7)), mix(column, k),
+            mix(column, mix(starts, int(e < 20))),
+            mix(64 + clamp(x - word[3], -64, 64), min(self.y - word[2], 3)),
+            mix(mix(age(x - 1, 30), age(x + 1, 30)), t)], 0,
+            (k, min(e, 100), column))
+
+    def decode(self, coder, unknown, word):
+        if not self.decode_any(coder, unknown, word):
+            return None
+        for i, x in enumerate(unknown):
+            if i == len(unknown) - 1 or self.decode_one(
+                    coder, x, len(unknown) - 1 - i):
+                break
+        self.n += 1
+        self.before = x
+        self.last[x] = self.y
+        self.ruler.add(x)
+        w = self.words[word + 1]
+        w[:] = w[0] + 4096, w[1] + 4096, self.y, x
+        return x
+
+
+class Segment8:
+    """Straight segment, over 8 letters."""
+
+    def __init__(self):
+        self.s0 = self.s1 = None
+        self.length = self.previous = 0
+
+    def start(self, t):
+        self.previous, self.s0, self.s1 = self.length, t, None
+        self.x, self.y, self.length = 1, 0, 1
+
+    def push(self, t):
+        if self.s0 is None or self.length == 1 << 30:
+            return self.start(t)
+        if self.s1 is None:
+            if t == self.s0:
+                self.x += 1
+            elif (t - self.s0) % 8 not in (1, 7):
+                return self.start(t)
+            else:
+                self.s1, self.a, self.b, self.r, self.y = t, 1, self.x, 0, 1
+                self.w = self.b + 1
+                self.U, self.L = (0, 0), (self.x, 0)
+                self.U2, self.L2 = (self.x, 1), (self.x, 0)
+            self.length += 1
+            return None
+        r = {self.s0: self.r + self.a, self.s1: self.r - self.b}.get(t)
+        if r is None or r < -1 or r > self.w:
+            return self.start(t)
+        self.x += t == self.s0
+        self.y += t == self.s1
+        self.length += 1
+        P = self.x, self.y
+        if r == -1:
+            self.b, self.a = P[0] - self.U[0], P[1] - self.U[1]
+            self.w, self.r = self.a + self.b, 0
+            self.U2, self.L = P, self.L2
+        elif r == self.w:
+            self.b, self.a = P[0] - self.L[0], P[1] - self.L[1]
+            self.w = self.a + self.b
+            self.r = self.w - 1
+            self.L2, self.U = P, self.U2
+        else:
+            self.r = r
+            if r == 0:
+                self.U2 = P
+            if r == self.w - 1:
+                self.L2 = P
+        return None
+
+    def verdict(self, d):
+        if self.s0 is None:
+            return 0
+        if self.s1 is None:
+            return 1 + min(self.length, 24)
+        r, a, b, w = self.r, self.a, self.b, self.w
+        return (32 + (r + a <= w) + 2 * (r - b >= -1) + 4 * (r + a <= w - 1)
+                + 8 * (r - b >= 0) + 16 * (d == self.s1)
+                + 32 * ((self.s1 - self.s0) % 8 == 1)
+                + 64 * min(7, bits(self.length) - 1))
+
+
+class Match8:
+    """Match of Coder 16."""
+
+    def __init__(self):
+        self.T, self.recent, self.heads, self.n, self.at = [], 0, {}, 0, 0
+
+    def push(self, t):
+        T = self.T
+        if self.n:
+            self.n = min(65535, self.n + 1) if T[self.at] == t else 0
+            self.at += 1
+        T.append(t)
+        self.recent = (self.recent * 8 + t) % (1 << 36)
+        key = top(16, self.recent * K)
+        head, end = self.heads.get(key, 0), len(T)
+        if not self.n and head and end - head < (1 << 18) - 64:
+            same = 0
+            while same < min(32, head) and T[head - 1 - same] == T[
+                    end - 1 - same]:
+                same += 1
+            if same >= 12:
+                self.n, self.at = same, head
+        self.heads[key] = end
+
+    def level(self):
+        return (self.n > 0) + sum(self.n > s for s in
+                                  (15, 20, 28, 40, 80, 200))
+
+    def guess(self):
+        return self.T[self.at] if self.n else 0
+
+
+def turned(x, y, quarters):
+    for _ in range(quarters):
+        x, y = -y, x
+    return x, y
+
+
+class Lines:
+    """Pixels around."""
+
+    SIZES = 64, 512, 1024, 256, 256
+
+    def __init__(self, pixels, columns, rows, weights):
+        self.pixels, self.columns, self.rows = pixels, columns, rows
+        size = pixels.width * pixels.rows
+        self.T = 13 if size < 2000000 else 15
+        self.slots = [{} for _ in range(15)]
+        self.mixer = Mixer([2 * s for s in self.SIZES], weights[:8])
+        later = [[clamp(4 * w, -32768, 32767) for w in v]
+                 for v in weights[8:]]
+        for vectors, s in zip(self.mixer.sets, self.SIZES):
+            vectors[s:] = [[later[k % 8], 0] for k in range(s, 2 * s)]
+        self.refiners = Refiner(), Refiner()
+        self.match = Match8()
+
+    def begin(self, x, y, d):
+        self.trail, self.d = [(x, y, 0)], d
+        self.h, self.run, self.bend = 0x4924924924924924, [0] * 4, [0] * 3
+        self.segment = Segment8()
+
+    def advance(self, t):
+        self.match.push(t)
+        self.h = (self.h * 8 + t) & M64
+        if t == 0:
+            self.run[0] += 1
+        else:
+            self.run = [0] + self.run[:3]
+            self.bend = [t] + self.bend[:2]
+        self.d = (self.d + t) % 8
+        self.segment.push(self.d)
+        (x0, y0, _), (x, y, area) = self.trail[0], self.trail[-1]
+        u, v = DX[self.d], DY[self.d]
+        self.trail.append((x + u, y + v,
+                           area + (y - y0) * u - (x - x0) * v))
+
+    def head(self):
+        return self.trail[-1][:2]
+
+    def last(self, k):
+        return self.h & (1 << 3 * k) - 1
+
+    def chord(self, k):
+        if len(self.trail) <= k:
+            return 0
+        (x, y, _), (i, j, _) = self.trail[-1], self.trail[-1 - k]
+        x, y = turned(x - i, y - j, self.d // 2)
+        return 512 * (x + 128) + (2 * (y + 128) | self.d % 2)
+
+    def bulge(self, k):
+        if len(self.trail) <= k:
+            return 0
+        (x, y, area), (i, j, before) = self.trail[-1], self.trail[-1 - k]
+        x0, y0, _ = self.trail[0]
+        b = area - before - ((j - y0) * (x - i) - (i - x0) * (y - j))
+        n = bits(abs(b))
+        level = n if n < 2 else 2 * n - 2 + (abs(b) >> (n - 2) & 1)
+        return min(level, 15) + 16 * (b < 0)
+
+    def look(self, start):
+        x, y = self.head()
+        d, h, run, bend = self.d, self.last, self.run, self.bend
+        steps = len(self.trail) - 1
+        base = d % 2 + 2 * min(steps, 3)
+        all_, near, outer = self.pixels.patch(x, y, d // 2)
+        grid = (64 * self.columns.level(x, self.pixels.width)
+                + self.rows.level(y, y + 1))
+        verdict = self.segment.verdict(d)
+        level, guess = self.match.level(), self.match.guess()
+        i, j = start[0] - x, start[1] - y
+        home = (0 if abs(i) > 20 or abs(j) > 20
+                else 128 * (i + 32) + j + 32)
+        runs = [min(r, 127) for r in run]
+        self.values = [
+            mix(near, mix(h(2), base)), mix(near, mix(h(6), base)),
+            mix(h(12), base),
+            mix(256 * min(run[0], 255) + min(run[1], 255),
+                mix(bend[0] + 8 * bend[1], base)),
+            mix(runs[0] << 21 | runs[1] << 14 | runs[2] << 7 | runs[3],
+                mix(bend[0] + 8 * bend[1] + 64 * bend[2], base)),
+            mix(all_, mix(h(1), base)),
+            mix(256 * verdict + min(self.segment.previous, 255),
+                mix(h(2), base)),
+            mix(verdict, mix(h(4), base)),
+            mix(self.chord(16), mix(512 * self.bulge(16) | h(3), base)),
+            mix(self.chord(32), mix(512 * self.bulge(32) | h(3), base)),
+            mix(8 * level + guess, mix(h(2), base)),
+            mix(home, mix(h(1), d)) if home else mix(8 * h(3) + d, 99),
+            mix(grid, mix(near, d)), mix(grid, mix(h(2), base)),
+            mix(verdict, mix(grid, base))]
+        self.chosen = [8 * min(bits(run[0]), 7), 8 * h(2),
+                       64 * level + 8 * guess + 512 * (outer != 0),
+                       8 * (verdict >> 5 & 31),
+                       16 * min(steps, 15) + 8 * (home != 0)]
+
+    def ask(self, first):
+        """The slots of all contexts; `first`: 0, or 2^t of the first pixel."""
+        self.found = []
+        for i, (slots, value) in enumerate(zip(self.slots, self.values)):
+            hashed = (mix(value, first) if first else value) + i
+            hashed = hashed * K & M64
+            check, at = hashed >> 8 & 65535, hashed >> (64 - self.T)
+            slot = slots.setdefault(at, [0, [[RAW, 0] for _ in range(8)]])
+            if slot[0] != check:
+                slot[:] = check, [[RAW, 0] for _ in range(8)]
+            self.found.append(slot[1])
+        self.more = first != 0
+
+    def decide(self, coder, node):
+        counters = [slot[node] for slot in self.found]
+        inputs = ([STRETCH[p >> 4] for p, _ in counters] + [77]
+                  + [(p - 32768) * 51 * min(n, 30) >> 16
+                     for p, n in counters] + [0])
+        chosen = [c + node + s * self.more
+                  for c, s in zip(self.chosen, self.SIZES)]
+        x = self.mixer.mean(inputs, chosen)
+        p = 2 * squash(x) + sum(r.refine(x, c) for r, c in
+                                zip(self.refiners, chosen))
+        bit = coder.decode(clamp(p // 4, 4, 65532), "")
+        for refiner in self.refiners:
+            refiner.learn(bit)
+        self.mixer.learn(bit)
+        for counter in counters:
+            counter[:] = move(*counter, bit), min(255, counter[1] + 1)
+        return bit
+
+    def decode(self, coder, unknown, start):
+        """The turns of the unknown pixels that are ink."""
+        self.look(start)
+        self.ask(0)
+        rest = [t for t in ORDER if t in unknown]
+        while rest:
+            turn = rest.pop(0)
+            if self.decide(coder, NODE[turn]):
+                break
+        else:
+            return []
+        if not rest or not self.decide(coder, 6 if turn == 0 else 7):
+            return [turn]
+        self.ask(1 << turn)
+        found = []
+        for t in rest:
+            last = t == rest[-1] and not found
+            if last or self.decide(coder, NODE[t]):
+                found.append(t)
+        return [turn] + found
+
+
+class Centrelines:
+    """Order of pixels."""
+
+    def __init__(self, coder, width, rows):
+        weights, of_starts = first_weights()
+        self.coder, self.pixels = coder, Pixels(width, rows)
+        self.columns, self.rows = Ruler(), Ruler()
+        self.lines = Lines(self.pixels, self.columns, self.rows, weights)
+        self.starts = Starts(self.pixels, self.columns, self.rows, of_starts)
+
+    def run(self, image):
+        told, width = self.pixels.told, self.pixels.width
+        for y in range(self.pixels.rows):
+            self.starts.begin_row(y)
+            for word in range((width + 63) // 64):
+                while unknown := [x for x in
+                                  range(64 * word, min(64 * word + 64, width))
+                                  if (x, y) not in told]:
+                    x = self.starts.decode(self.coder, unknown, word)
+                    told.update(((i, y), 0) for i in unknown
+                                if x is None or i < x)
+                    if x is not None:
+                        self.follow(x, y)
+            image[y] = [told[x, y] for x in range(width)]
+
+    def vertex(self, x, y):
+        self.columns.add(x)
+        self.rows.add(y)
+
+    def follow(self, x, y):
+        start, stack = (x, y), []
+        self.pixels.told[start] = 1
+        self.vertex(x, y)
+        self.lines.begin(x, y, 0)
+        while True:
+            self.line(start, stack)
+            while stack and stack[-1][:2] in self.pixels.passed:
+                stack.pop()
+            if not stack:
+                return
+            x, y, direction, turn = stack.pop()
+            self.lines.begin(x - DX[direction], y - DY[direction],
+                             (direction - turn) % 8)
+            self.lines.advance(turn)
+
+    def line(self, start, stack):
+        pixels, lines = self.pixels, self.lines
+        while True:
+            x, y = lines.head()
+
+            def at(turn, x=x, y=y, d=lines.d):
+                direction = (d + turn) % 8
+                return x + DX[direction], y + DY[direction]
+
+            unknown = [t for t in range(8) if pixels.get(*at(t)) is None]
+            found = []
+            if unknown:
+                found = lines.decode(self.coder, unknown, start)
+                pixels.told.update((at(t), int(t in found)) for t in unknown)
+            pixels.passed.add((x, y))
+            ways = found or [t for t in ORDER if pixels.get(*at(t))
+                             and at(t) not in pixels.passed]
+            if not ways:
+                return
+            for turn in reversed(found[1:]):
+                if len(stack) == 1 << 16:
+                    raise Damaged("too many branches")
+                stack.append((*at(turn), (lines.d + turn) % 8, turn))
+            if len(lines.trail) > 1 and (not found or 2 <= ways[0] <= 6):
+                self.vertex(x, y)
+            lines.advance(ways[0])
