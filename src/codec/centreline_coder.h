@@ -19,7 +19,7 @@ inline constexpr std::uint8_t kCentrelineTable = 0;
 
 /// Pixels of branches that may wait at once: a bound of the format, far above
 /// what drawings of lines need.
-inline constexpr std::size_t kMostWaiting = std::size_t{1} << 16;
+inline constexpr std::size_t kMostWaiting = std::size_t{1} << 14;
 
 /// log2 of the model's slots per context, a rule of the size only, so that it
 /// need not be stored.

@@ -1,4 +1,5 @@
 #include <utility>
+#include <vector>
 
 #include "codec/block_coder.h"
 #include "codec/centreline_coder.h"
@@ -10,24 +11,12 @@
 namespace unstep::codec {
 namespace {
 
-/// A thin drawing whose lines take more bytes than this has many lines; then
-/// contours were never found to be smaller and are not tried.
-constexpr std::size_t kManyLines = 8192;
-
-Result<EncodedBlock> encode_with_contours(const Bitmap& ink,
-                                          std::int32_t first_row,
-                                          std::int32_t rows, Effort effort,
-                                          const BlockProgress& progress) {
-  const std::uint8_t revision = contour_revision(effort);
-  if (effort != Effort::fast) {
-    Result<std::vector<std::uint8_t>> shapes =
-        encode_shapes(ink, first_row, rows, revision, progress);
-    if (!shapes) return shapes.error();
-    if (!shapes->empty()) {
-      return EncodedBlock{{kCoderShapes, revision, warm::kTableId},
-                          *std::move(shapes)};
-    }
-  }
+/// Contours, or rows as they are where these are fewer bytes.
+Result<EncodedBlock> encode_by_contours(const Bitmap& ink,
+                                        std::int32_t first_row,
+                                        std::int32_t rows,
+                                        std::uint8_t revision,
+                                        const BlockProgress& progress) {
   Result<std::vector<std::uint8_t>> contours =
       encode_contours(ink, first_row, rows, revision, progress);
   if (!contours) return contours.error();
@@ -52,19 +41,27 @@ Result<EncodedBlock> encode_with_contours(const Bitmap& ink,
 Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
                                 std::int32_t rows, Effort effort,
                                 const BlockProgress& progress) {
-  if (effort == Effort::fast || !is_thin(ink, first_row, rows)) {
-    return encode_with_contours(ink, first_row, rows, effort, progress);
+  const std::uint8_t revision = contour_revision(effort);
+  if (effort == Effort::fast) {
+    return encode_by_contours(ink, first_row, rows, revision, progress);
   }
+  Result<std::vector<std::uint8_t>> shapes =
+      encode_shapes(ink, first_row, rows, revision, progress);
+  if (!shapes) return shapes.error();
+  if (!shapes->empty()) {
+    return EncodedBlock{{kCoderShapes, revision, warm::kTableId},
+                        *std::move(shapes)};
+  }
+  Result<EncodedBlock> contours =
+      encode_by_contours(ink, first_row, rows, revision, progress);
+  if (!contours || !is_thin(ink, first_row, rows)) return contours;
+  // What is cheaper depends on branches, loops and corners, which no quick look
+  // tells.
   Result<std::vector<std::uint8_t>> lines =
       encode_centrelines(ink, first_row, rows, progress);
   if (!lines) return lines.error();
-  if (lines->size() <= kManyLines || effort == Effort::max) {
-    Result<EncodedBlock> contours =
-        encode_with_contours(ink, first_row, rows, effort, progress);
-    if (!contours) return contours.error();
-    if (lines->empty() || contours->payload.size() <= lines->size()) {
-      return contours;
-    }
+  if (lines->empty() || lines->size() >= contours->payload.size()) {
+    return contours;
   }
   return EncodedBlock{
       {kCoderCentrelines, kCentrelineRevision, kCentrelineTable},

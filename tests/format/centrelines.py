@@ -499,7 +499,7 @@ class Centrelines:
             if not ways:
                 return
             for turn in reversed(found[1:]):
-                if len(stack) == 1 << 16:
+                if len(stack) == 1 << 14:
                     raise Damaged("too many branches")
                 stack.append((*at(turn), (lines.d + turn) % 8, turn))
             if len(lines.trail) > 1 and (not found or 2 <= ways[0] <= 6):

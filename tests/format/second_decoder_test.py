@@ -1,5 +1,6 @@
-"""docs/format.md is enough to write decoders of ink and of programs from: those
-here agree with the program, and the example of the page is what both do."""
+"""docs/format.md is enough to write decoders of ink, of strokes and of programs
+from: those here agree with the program, and the example of the page is what both
+do."""
 
 import os
 import pathlib
@@ -14,6 +15,7 @@ from decode_ink import varint  # pylint: disable=wrong-import-position
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM_DECODER = pathlib.Path(__file__).parent / "decode_program.py"
+STROKE_DECODER = pathlib.Path(__file__).parent / "decode_strokes.py"
 DECODER = pathlib.Path(__file__).parent / "decode_ink.py"
 PROGRAM = os.environ["UNSTEP_PROGRAM"]
 
@@ -249,6 +251,30 @@ class SecondDecoderOfPrograms(unittest.TestCase):
                         file[:-1] + bytes([file[-1] ^ 1])):
             (self.folder / "a.ustp").write_bytes(damaged)
             self.assertNotEqual(self.decode().returncode, 0)
+
+
+class SecondDecoderOfStrokes(unittest.TestCase):
+    def test_golden_file_and_traced_ink(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            files = [ROOT / "tests/golden/valid/strokes_words.ustp"]
+            for sample, tolerance in (("glyph.pbm", "1"),
+                                      ("crown.png", "0.5")):
+                files.append(folder / (sample + ".ustp"))
+                subprocess.run(
+                    [PROGRAM, "compress", "-qf", ROOT / "samples" / sample,
+                     "--threshold", "auto", "--trace", "centerline",
+                     "--tolerance", tolerance, "-o", files[-1]], check=True,
+                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            damaged = folder / "damaged.ustp"
+            data = files[1].read_bytes()
+            damaged.write_bytes(data[:-1] + bytes([data[-1] ^ 1]))
+            second = subprocess.run(
+                [sys.executable, "-B", str(STROKE_DECODER), *files, damaged],
+                capture_output=True, text=True, check=False)
+            self.assertEqual(second.stdout.count(" paths"), len(files))
+            self.assertIn("damaged.ustp", second.stderr)
+            self.assertEqual(second.stderr.count("\n"), 1)
 
 
 if __name__ == "__main__":
