@@ -61,33 +61,40 @@ void CentrelineStartModel::begin_row(std::int32_t y) {
 entropy::Counter& CentrelineStartModel::look_at_word(std::uint64_t mask,
                                                      std::int32_t word) {
   const Density* at = &density_[static_cast<std::size_t>(word)];
-  const unsigned quick = log_level(at[1].quick);
-  const unsigned beside = log_level(at[0].quick + at[2].quick);
-  const unsigned slow = log_level(at[1].slow);
+  const auto octave = [](std::uint64_t pixels) {
+    return static_cast<unsigned>(
+        std::bit_width(static_cast<unsigned>(std::popcount(pixels))));
+  };
+  sight_ = {log_level(at[1].quick),
+            log_level(at[0].quick + at[2].quick),
+            log_level(at[1].slow),
+            octave(mask),
+            octave(mask & near_ink(planes_, y_, word)),
+            std::min(row_starts_, 3U)};
+  const std::uint64_t hash =
+      mix(mix(sight_.quick, sight_.beside),
+          mix(sight_.slow, mix(sight_.few, sight_.size * 8 + sight_.close))) *
+      kGolden;
+  return gates_[hash >> (64 - kGateBits)];
+}
+
+void CentrelineStartModel::set_word_contexts(std::int32_t word) {
+  const Density* at = &density_[static_cast<std::size_t>(word)];
+  const auto& [quick, beside, slow, size, close, few] = sight_;
   const unsigned wide = log_level((at[0].slow + at[1].slow + at[2].slow) / 2);
-  const auto size = static_cast<unsigned>(
-      std::bit_width(static_cast<unsigned>(std::popcount(mask))));
-  const auto close = static_cast<unsigned>(std::bit_width(static_cast<unsigned>(
-      std::popcount(mask & near_ink(planes_, y_, word)))));
   const unsigned sizes = size * 8 + close;
-  const unsigned before = std::min(row_starts_, 7U);
-  const unsigned few = std::min(row_starts_, 3U);
   const auto rows = static_cast<unsigned>(std::min(y_ - last_row_, 63));
-  const unsigned row = rulers_.row(y_);
   const auto age = [&](std::size_t k, std::int32_t most) {
     return static_cast<std::uint64_t>(std::min(y_ - at[k].last, most));
   };
-  words_.set_contexts({mix(quick, size), mix(slow, size), mix(wide, size),
-                       mix(beside * 16 + quick, sizes), mix(few, sizes),
-                       mix(slow * 16 + wide, close),
-                       mix(rows * 64 + few, slow * 8 + close),
-                       mix(age(1, 80), slow * 8 + close),
-                       mix(mix(age(0, 50), age(2, 50)), age(1, 50)),
-                       mix(row, mix(before, slow))});
+  words_.set_contexts(
+      {mix(quick, size), mix(slow, size), mix(wide, size),
+       mix(beside * 16 + quick, sizes), mix(few, sizes),
+       mix(slow * 16 + wide, close), mix(rows * 64 + few, slow * 8 + close),
+       mix(age(1, 80), slow * 8 + close),
+       mix(mix(age(0, 50), age(2, 50)), age(1, 50)),
+       mix(rulers_.row(y_), mix(std::min(row_starts_, 7U), slow))});
   word_selectors_ = {sizes, quick * 16 + slow, wide};
-  const std::uint64_t hash =
-      mix(mix(quick, beside), mix(slow, mix(few, sizes))) * kGolden;
-  return gates_[hash >> (64 - kGateBits)];
 }
 
 void CentrelineStartModel::look_at_pixel(std::int32_t x, std::uint64_t rest) {

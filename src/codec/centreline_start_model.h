@@ -35,10 +35,13 @@ class CentrelineStartModel {
   std::uint64_t code(Coder& coder, std::uint64_t mask, std::int32_t word,
                      std::uint64_t ink) {
     entropy::Counter& gate = look_at_word(mask, word);
-    const bool sure = gate.n >= kGateAge && gate.p < kGateRare;
-    const bool any =
-        sure ? coder.code((ink & mask) != 0, gate.p + 4)
-             : words_.code(coder, (ink & mask) != 0, 0, word_selectors_);
+    bool any = (ink & mask) != 0;
+    if (gate.n >= kGateAge && gate.p < kGateRare) {
+      any = coder.code(any, gate.p + 4);
+    } else {
+      set_word_contexts(word);
+      any = words_.code(coder, any, 0, word_selectors_);
+    }
     gate.update(any);
     if (!any) return 0;
     for (;;) {
@@ -72,7 +75,15 @@ class CentrelineStartModel {
     std::int32_t column = 0;    ///< and its column
   };
 
+  /// What a word's flag is asked under.
+  struct WordSight {
+    unsigned quick = 0, beside = 0, slow = 0;  ///< densities, octaves
+    unsigned size = 0, close = 0;  ///< unknown pixels, those near ink, octaves
+    unsigned few = 0;              ///< starts in this row before, at most 3
+  };
+  /// Returns its gate.
   entropy::Counter& look_at_word(std::uint64_t mask, std::int32_t word);
+  void set_word_contexts(std::int32_t word);
   void look_at_pixel(std::int32_t x, std::uint64_t rest);
   void count(std::int32_t x);
 
@@ -84,6 +95,7 @@ class CentrelineStartModel {
   std::vector<entropy::Counter> gates_;
   Words words_;
   Pixels pixels_;
+  WordSight sight_;
   Words::Selectors word_selectors_{};
   Pixels::Selectors pixel_selectors_{};
   std::int32_t y_ = 0;
