@@ -26,7 +26,7 @@ inline constexpr std::size_t kMostWaiting = std::size_t{1} << 14;
 [[nodiscard]] constexpr int centreline_table_bits(std::int32_t width,
                                                   std::int32_t rows) {
   const std::int64_t pixels = std::int64_t{width} * rows;
-  return pixels < 2'000'000 ? 13 : 15;
+  return pixels < 40'000 ? 11 : pixels < 2'000'000 ? 13 : 15;
 }
 
 /// Bytes that coding such a block allocates: the pixels and the models.

@@ -11,7 +11,7 @@ namespace unstep::codec {
 std::uint64_t centreline_memory(std::int32_t width, std::int32_t rows) {
   return PixelPlanes::memory(width, rows) + VertexRulers::memory(width, rows) +
          CentrelineModel::memory(centreline_table_bits(width, rows)) +
-         CentrelineStartModel::memory(width) + (std::uint64_t{2} << 20);
+         CentrelineStartModel::memory(width) + sizeof(Point) * 2 * kMostWaiting;
 }
 
 namespace {

@@ -43,7 +43,7 @@ CentrelineStartModel::CentrelineStartModel(const PixelPlanes& planes,
       pixels_(kTableBits, std::span(kInitialWeights).last<1>()) {}
 
 std::uint64_t CentrelineStartModel::memory(std::int32_t width) {
-  return static_cast<std::uint64_t>(width) * 7 + (std::uint64_t{3} << 20);
+  return static_cast<std::uint64_t>(width) * 7 + (std::uint64_t{2} << 20);
 }
 
 void CentrelineStartModel::begin_row(std::int32_t y) {

@@ -292,7 +292,7 @@ class Lines:
     def __init__(self, pixels, columns, rows, weights):
         self.pixels, self.columns, self.rows = pixels, columns, rows
         size = pixels.width * pixels.rows
-        self.T = 13 if size < 2000000 else 15
+        self.T = 11 if size < 40000 else 13 if size < 2000000 else 15
         self.slots = [{} for _ in range(15)]
         self.mixer = Mixer([2 * s for s in self.SIZES], weights[:8])
         later = [[clamp(4 * w, -32768, 32767) for w in v]

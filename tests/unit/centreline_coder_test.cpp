@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "codec/block_coder.h"
@@ -94,19 +95,44 @@ TEST(Centrelines, TakeSomeRowsOnly) {
   expect_round_trip(ink, 50, 70);
 }
 
-TEST(Centrelines, ArePickedForThinDrawingsAndSmallerThere) {
-  const Bitmap ink = thin_drawing(900, 700, 150);
+TEST(Centrelines, ArePickedForThinLinesAndSmallerThere) {
+  const Bitmap ink = thin_drawing(400, 400, 30);
   ASSERT_TRUE(is_thin(ink, 0, ink.height()));
-  const Bytes lines = expect_round_trip(ink, 0, ink.height());
+  const Bytes payload = expect_round_trip(ink, 0, ink.height());
   const Result<Bytes> contours =
       encode_contours(ink, 0, ink.height(), kContourStandard, {});
   ASSERT_TRUE(contours);
-  EXPECT_LT(lines.size(), contours->size() * 95 / 100);
+  EXPECT_LT(payload.size(), contours->size());
   const Result<EncodedBlock> block =
       encode_ink(ink, 0, ink.height(), Effort::standard, {});
   ASSERT_TRUE(block);
   EXPECT_EQ(block->name.coder, kCoderCentrelines);
-  EXPECT_EQ(block->payload, lines);
+  EXPECT_EQ(block->payload, payload);
+}
+
+/// Tiles that cross and branch, each the same: lines learn them sooner.
+Bitmap tiled(std::int32_t side) {
+  const Bitmap tile = thin_drawing(400, 400, 30);
+  Bitmap ink = *Bitmap::create(side, side);
+  for (std::int32_t y = 0; y < side; ++y) {
+    for (std::int32_t x = 0; x < side; ++x) {
+      if (tile.get(x % 400, y % 400)) ink.set(x, y, true);
+    }
+  }
+  return ink;
+}
+
+TEST(Centrelines, OfMuchInkArePickedByAPartOfIt) {
+  const Bitmap ink = tiled(1600);
+  ASSERT_GT(ink.ink(), 32768U);
+  const Result<EncodedBlock> block =
+      encode_ink(ink, 0, ink.height(), Effort::standard, {});
+  ASSERT_TRUE(block);
+  const Result<EncodedBlock> best =
+      encode_ink(ink, 0, ink.height(), Effort::max, {});
+  ASSERT_TRUE(best);
+  EXPECT_LE(best->payload.size(), block->payload.size());
+  EXPECT_LT(block->payload.size(), best->payload.size() * 11 / 10);
 }
 
 TEST(Centrelines, AreNotPickedWhereContoursAreSmaller) {
@@ -139,9 +165,8 @@ TEST(Centrelines, DamagedPayloadsAreRefusedOrSomethingElse) {
   }
   EXPECT_GT(refused, payload.size() / 4);
   for (std::size_t size = 0; size < payload.size(); size += 5) {
-    Bitmap decoded = *Bitmap::create(150, 120);
-    EXPECT_FALSE(decode_centrelines({payload.data(), size}, decoded, 0, 120,
-                                    kLimits, {}));
+    EXPECT_FALSE(
+        verify_centrelines({payload.data(), size}, ink, 0, 120, kLimits, {}));
   }
 }
 
