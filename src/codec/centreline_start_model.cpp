@@ -112,12 +112,12 @@ void CentrelineStartModel::look_at_pixel(std::int32_t x, std::uint64_t rest) {
   const unsigned column = rulers_.column(x);
   const auto from =
       static_cast<std::uint64_t>(std::clamp(x - density.column, -64, 64) + 64);
-  pixels_.set_contexts({mix(all, since < 20 ? since : 20), mix(near, left),
-                        mix(left, 4), mix(gap, 5), mix(since, 6),
-                        mix(since, mix(gap, 7)), mix(column, left),
-                        mix(column, mix(starts_.column(x), gap < 20 ? 1 : 0)),
-                        mix(from, std::min(y_ - density.last, 3)),
-                        mix(mix(age(x - 1, 30), age(x + 1, 30)), since)});
+  pixels_.set_contexts(
+      {mix(all, since < 20 ? since : 20), mix(near, left), mix(left, 4),
+       mix(gap, 5), mix(since, 6), mix(since, mix(gap, 7)), mix(column, left),
+       mix(column, mix(starts_.column(x), gap < 20 ? 1U : 0U)),
+       mix(from, static_cast<unsigned>(std::min(y_ - density.last, 3))),
+       mix(mix(age(x - 1, 30), age(x + 1, 30)), since)});
   pixel_selectors_ = {left, std::min(gap, 100U), column};
 }
 

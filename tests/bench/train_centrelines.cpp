@@ -88,7 +88,7 @@ void write_vectors(
   for (std::size_t k = 0; k < kCount; ++k) {
     for (std::size_t i = 0; i < kInputs; ++i) {
       const double mean = sums.bits[k] > 0 ? sums.weights[k][i] / sums.bits[k]
-                                           : double{old[k][i]};
+                                           : static_cast<double>(old[k][i]);
       std::fprintf(file, "%s%ld%s",
                    i % 8 == 0 ? (i == 0 ? "    {" : "     ") : " ",
                    std::lround(mean),
