@@ -4,7 +4,9 @@ from collections import namedtuple
 from entropy import K, STRETCH, Damaged, Interval, Mixer, clamp, top, update
 from shapes import GAP, NONE, RISE, Known, Numbers, clip, join
 from turns import mix
-from vectors import Elements, direction, less, size, texts_of
+from vector_classes import direction, less, size
+from vector_models import texts_of
+from vectors import Elements
 
 LIMIT = 2**30 - 1
 FIRST_PATHS = 777, 2158
