@@ -1,7 +1,7 @@
 """Section "Coder 25: strokes" of docs/format.md."""
 from collections import namedtuple
 
-from entropy import K, STRETCH, Damaged, Interval, Mixer, clamp, top, update
+from entropy import K, STRETCH, Damaged, Interval, clamp, top, update
 from shapes import GAP, NONE, RISE, Known, Numbers, clip, join
 from turns import mix
 from vector_classes import direction, less, size

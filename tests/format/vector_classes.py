@@ -1,5 +1,5 @@
-"""Section "Classes of vectors" of docs/format.md, and how "Coder 24: paths" joins
-numbers."""
+"""Section "Classes of vectors" of docs/format.md, and how "Coder 24: paths"
+joins numbers."""
 from decisions import mix
 from entropy import K, M64, clamp, top
 
