@@ -38,9 +38,10 @@ struct CoderName {
 inline constexpr std::uint8_t kCoderStored = 0;    ///< packed rows, deflated
 inline constexpr std::uint8_t kCoderContours = 1;  ///< contours, mixed models
 inline constexpr std::uint8_t kCoderShapes = 2;    ///< shapes that repeat
-inline constexpr std::uint8_t kCoderChains = 16;   ///< chains, mixed models
-inline constexpr std::uint8_t kCoderPaths = 24;    ///< paths, mixed models
-inline constexpr std::uint8_t kCoderStrokes = 25;  ///< paths that repeat
+inline constexpr std::uint8_t kCoderCentrelines = 3;  ///< thin lines
+inline constexpr std::uint8_t kCoderChains = 16;      ///< chains, mixed models
+inline constexpr std::uint8_t kCoderPaths = 24;       ///< paths, mixed models
+inline constexpr std::uint8_t kCoderStrokes = 25;     ///< paths that repeat
 inline constexpr std::uint8_t kCoderProgram = 28;  ///< programs, mixed models
 
 /// The coder of nearly all short files with such a page, which they do not

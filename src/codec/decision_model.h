@@ -77,6 +77,9 @@ class DecisionModel {
     return counters_[(i << table_bits_) + (index >> (16 - table_bits_))];
   }
   [[nodiscard]] entropy::Mixer<kInputs, kSets>& mixer() { return mixer_; }
+  [[nodiscard]] const entropy::Mixer<kInputs, kSets>& mixer() const {
+    return mixer_;
+  }
 
  private:
   static constexpr std::array<std::size_t, kSets> all_selectors() {

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "codec/block_coder.h"
+#include "codec/centreline_coder.h"
 #include "codec/contour_coder.h"
 #include "codec/shape_coder.h"
 #include "codec/stored_coder.h"
@@ -12,6 +13,8 @@ namespace unstep::codec {
 namespace {
 
 constexpr CoderName kStored{kCoderStored, 0, 0};
+constexpr CoderName kCentrelines{kCoderCentrelines, kCentrelineRevision,
+                                 kCentrelineTable};
 
 bool is_contours(const CoderName& name) {
   return name.coder == kCoderContours && name.table == warm::kTableId &&
@@ -37,6 +40,9 @@ Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
     return decode_shapes(payload, ink, first_row, rows, name.revision, limits,
                          progress);
   }
+  if (name == kCentrelines) {
+    return decode_centrelines(payload, ink, first_row, rows, limits, progress);
+  }
   return unknown_coder("ink", name);
 }
 
@@ -46,6 +52,9 @@ Status verify_ink(const CoderName& name, std::span<const std::uint8_t> payload,
   if (is_contours(name)) {
     return verify_contours(payload, ink, first_row, rows, name.revision, limits,
                            progress);
+  }
+  if (name == kCentrelines) {
+    return verify_centrelines(payload, ink, first_row, rows, limits, progress);
   }
   Result<Bitmap> decoded = Bitmap::create(ink.width(), rows);
   if (!decoded) return decoded.error();

@@ -1,24 +1,26 @@
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include "codec/block_coder.h"
+#include "codec/centreline_coder.h"
 #include "codec/contour_coder.h"
 #include "codec/shape_coder.h"
 #include "codec/stored_coder.h"
 #include "codec/warm_start.h"
 
 namespace unstep::codec {
+namespace {
 
-Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
-                                std::int32_t rows, Effort effort,
-                                const BlockProgress& progress) {
-  const std::uint8_t revision = contour_revision(effort);
-  if (effort != Effort::fast) {
-    Result<std::vector<std::uint8_t>> shapes =
-        encode_shapes(ink, first_row, rows, revision, progress);
-    if (!shapes) return shapes.error();
-    if (!shapes->empty()) {
-      return EncodedBlock{{kCoderShapes, revision, warm::kTableId},
-                          *std::move(shapes)};
-    }
-  }
+/// Contours, or rows as they are where these are fewer bytes.
+Result<EncodedBlock> encode_by_contours(const Bitmap& ink,
+                                        std::int32_t first_row,
+                                        std::int32_t rows,
+                                        std::uint8_t revision,
+                                        const BlockProgress& progress) {
   Result<std::vector<std::uint8_t>> contours =
       encode_contours(ink, first_row, rows, revision, progress);
   if (!contours) return contours.error();
@@ -36,6 +38,99 @@ Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
   }
   return EncodedBlock{{kCoderContours, revision, warm::kTableId},
                       *std::move(contours)};
+}
+
+struct Rows {
+  std::int32_t first = 0;
+  std::int32_t count = 0;
+};
+
+/// Those that hold an eighth of the ink, from two fifths of it on; all if there
+/// is little.
+Rows sample_of(const Bitmap& ink, std::int32_t first_row, std::int32_t rows) {
+  constexpr std::uint64_t kLittle = 32768;
+  std::vector<std::uint64_t> until(static_cast<std::size_t>(rows) + 1);
+  for (std::size_t y = 0; y + 1 < until.size(); ++y) {
+    until[y + 1] = until[y];
+    for (const std::uint64_t word :
+         ink.row(first_row + static_cast<std::int32_t>(y))) {
+      until[y + 1] += static_cast<std::uint64_t>(std::popcount(word));
+    }
+  }
+  const std::uint64_t all = until.back();
+  if (all < kLittle) return {first_row, rows};
+  const auto row = [&](std::uint64_t pixels) {
+    return static_cast<std::int32_t>(
+        std::lower_bound(until.begin(), until.end(), pixels) - until.begin());
+  };
+  const std::int32_t first = row(all * 2 / 5);
+  const std::int32_t end = row(all * 2 / 5 + all / 8);
+  return {first_row + first, std::max(end - first, 1)};
+}
+
+/// What is cheaper depends on branches, loops and corners, which no quick look
+/// tells: a part is coded both ways. Contours learn more from the rest.
+Result<bool> lines_pay(const Bitmap& ink, Rows sample, std::uint8_t revision) {
+  constexpr std::size_t kPercent = 96;
+  const Result<std::vector<std::uint8_t>> lines =
+      encode_centrelines(ink, sample.first, sample.count, {});
+  if (!lines) return lines.error();
+  const Result<std::vector<std::uint8_t>> contours =
+      encode_contours(ink, sample.first, sample.count, revision, {});
+  if (!contours) return contours.error();
+  return !lines->empty() && lines->size() * 100 < contours->size() * kPercent;
+}
+
+/// Lines or contours, what is smaller as far as that is known.
+Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
+                                 std::int32_t rows, Effort effort,
+                                 const BlockProgress& progress) {
+  const std::uint8_t revision = contour_revision(effort);
+  const Rows sample = sample_of(ink, first_row, rows);
+  const bool sure = effort == Effort::max || sample.count == rows;
+  if (!sure) {
+    const Result<bool> pay = lines_pay(ink, sample, revision);
+    if (!pay) return pay.error();
+    if (!*pay) {
+      return encode_by_contours(ink, first_row, rows, revision, progress);
+    }
+  }
+  Result<std::vector<std::uint8_t>> lines =
+      encode_centrelines(ink, first_row, rows, progress);
+  if (!lines) return lines.error();
+  if (sure || lines->empty()) {
+    Result<EncodedBlock> contours =
+        encode_by_contours(ink, first_row, rows, revision, progress);
+    if (!contours) return contours.error();
+    if (lines->empty() || contours->payload.size() <= lines->size()) {
+      return contours;
+    }
+  }
+  return EncodedBlock{
+      {kCoderCentrelines, kCentrelineRevision, kCentrelineTable},
+      *std::move(lines)};
+}
+
+}  // namespace
+
+Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
+                                std::int32_t rows, Effort effort,
+                                const BlockProgress& progress) {
+  const std::uint8_t revision = contour_revision(effort);
+  if (effort == Effort::fast) {
+    return encode_by_contours(ink, first_row, rows, revision, progress);
+  }
+  Result<std::vector<std::uint8_t>> shapes =
+      encode_shapes(ink, first_row, rows, revision, progress);
+  if (!shapes) return shapes.error();
+  if (!shapes->empty()) {
+    return EncodedBlock{{kCoderShapes, revision, warm::kTableId},
+                        *std::move(shapes)};
+  }
+  if (!is_thin(ink, first_row, rows)) {
+    return encode_by_contours(ink, first_row, rows, revision, progress);
+  }
+  return encode_thin(ink, first_row, rows, effort, progress);
 }
 
 }  // namespace unstep::codec

@@ -2,10 +2,13 @@
 
 import json
 import os
+import pathlib
 import stat
 
 import harness
 from harness import grouped, noise, pbm, pixels
+
+SAMPLES = pathlib.Path(__file__).resolve().parents[2] / "samples"
 
 
 class Compress(harness.CliTest):
@@ -76,6 +79,17 @@ class Compress(harness.CliTest):
                           "-o", jobs)
         self.assertEqual(self.read("1"), self.read("2"))
         self.assertEqual(self.read("1"), self.read("7"))
+
+    def test_thin_lines_are_followed_where_that_is_smaller(self):
+        coast = str(SAMPLES / "coast.png")
+        self.run_cli("compress", coast, "-o", "coast.ustp", "--no-verify")
+        about = self.run_cli("info", "coast.ustp").out
+        self.assertIn("coder 3 revision 0 table 0", about)
+        same = self.run_cli("verify", coast, "coast.ustp")
+        self.assertEqual((same.code, same.err), (0, ""))
+        half = self.run_cli("decompress", "coast.ustp", "--box",
+                            "100,200,300,150", "-o", "part.pbm")
+        self.assertEqual((half.code, half.err), (0, ""))
 
     def test_metadata_and_bands_are_stored(self):
         self.compress("page.pbm", "--meta", "title=Plan 7", "--meta", "a=b=c",

@@ -1,5 +1,6 @@
-"""docs/format.md is enough to write decoders of ink and of programs from: those
-here agree with the program, and the example of the page is what both do."""
+"""docs/format.md is enough to write decoders of ink, of strokes and of programs
+from: those here agree with the program, and the example of the page is what both
+do."""
 
 import os
 import pathlib
@@ -14,6 +15,7 @@ from decode_ink import varint  # pylint: disable=wrong-import-position
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM_DECODER = pathlib.Path(__file__).parent / "decode_program.py"
+STROKE_DECODER = pathlib.Path(__file__).parent / "decode_strokes.py"
 DECODER = pathlib.Path(__file__).parent / "decode_ink.py"
 PROGRAM = os.environ["UNSTEP_PROGRAM"]
 
@@ -71,6 +73,32 @@ def text(width, height, rough):
     for y in range(height):
         page[y][0] = page[y][width - 1] = 1
     return pbm(["".join(".#"[p] for p in row) for row in page])
+
+
+def thin_map(width, height, pieces):
+    """Polygons of lines one pixel thin, on a grid; they cross and touch."""
+    page, state = [["."] * width for _ in range(height)], 7
+
+    def below(n):
+        nonlocal state
+        state = (state * 1103515245 + 12345) % 2**31
+        return (state >> 12) % n
+
+    def line(a, b):
+        steps = max(abs(b[0] - a[0]), abs(b[1] - a[1]), 1)
+        for i in range(steps + 1):
+            page[a[1] + (b[1] - a[1]) * i // steps][
+                a[0] + (b[0] - a[0]) * i // steps] = "#"
+
+    for _ in range(pieces):
+        corners = [(below(width // 15) * 15, below(height // 15) * 15)]
+        for _ in range(3):
+            x, y = corners[-1]
+            corners.append((min(max(x + below(5) * 15 - 30, 0), width - 1),
+                            min(max(y + below(5) * 15 - 30, 0), height - 1)))
+        for a, b in zip(corners, corners[1:] + corners[:1]):
+            line(a, b)
+    return pbm(["".join(row) for row in page])
 
 
 class SecondDecoder(unittest.TestCase):
@@ -132,6 +160,9 @@ class SecondDecoder(unittest.TestCase):
                                     coder=2)
         for effort in ("max", "fast"):
             self.check_agrees_on_pixels(scattered(70, 30), "--effort", effort)
+
+    def test_thin_lines(self):
+        self.check_agrees_on_pixels(thin_map(300, 300, 20), coder=3)
 
     def test_large_page(self):
         """That starts with the other half of the table."""
@@ -220,6 +251,30 @@ class SecondDecoderOfPrograms(unittest.TestCase):
                         file[:-1] + bytes([file[-1] ^ 1])):
             (self.folder / "a.ustp").write_bytes(damaged)
             self.assertNotEqual(self.decode().returncode, 0)
+
+
+class SecondDecoderOfStrokes(unittest.TestCase):
+    def test_golden_file_and_traced_ink(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            files = [ROOT / "tests/golden/valid/strokes_words.ustp"]
+            for sample, tolerance in (("glyph.pbm", "1"),
+                                      ("crown.png", "0.5")):
+                files.append(folder / (sample + ".ustp"))
+                subprocess.run(
+                    [PROGRAM, "compress", "-qf", ROOT / "samples" / sample,
+                     "--threshold", "auto", "--trace", "centerline",
+                     "--tolerance", tolerance, "-o", files[-1]], check=True,
+                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            damaged = folder / "damaged.ustp"
+            data = files[1].read_bytes()
+            damaged.write_bytes(data[:-1] + bytes([data[-1] ^ 1]))
+            second = subprocess.run(
+                [sys.executable, "-B", str(STROKE_DECODER), *files, damaged],
+                capture_output=True, text=True, check=False)
+            self.assertEqual(second.stdout.count(" paths"), len(files))
+            self.assertIn("damaged.ustp", second.stderr)
+            self.assertEqual(second.stderr.count("\n"), 1)
 
 
 if __name__ == "__main__":

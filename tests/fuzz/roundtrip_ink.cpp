@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "codec/centreline_coder.h"
 #include "fuzz/target.h"
 
 /// Any ink comes back: 1 byte of width, 1 byte of options, the pixels.
@@ -49,6 +50,15 @@ void round_trip(const Bitmap& ink, std::uint8_t choice) {
   require(reader->info().metadata == options.metadata, "metadata is kept");
 }
 
+/// Coder 3 as well, which the writer takes for thin lines only.
+void round_trip_centrelines(const Bitmap& ink) {
+  const auto payload = codec::encode_centrelines(ink, 0, ink.height(), {});
+  require(static_cast<bool>(payload), "any ink can be coded as centrelines");
+  require(static_cast<bool>(codec::verify_centrelines(
+              *payload, ink, 0, ink.height(), limits(), {})),
+          "centrelines come back");
+}
+
 }  // namespace
 }  // namespace unstep::fuzz
 
@@ -56,7 +66,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   if (size < 2 || size > 4096) return 0;
   const std::span<const std::uint8_t> input(data, size);
-  unstep::fuzz::round_trip(unstep::fuzz::ink_of(input[0] + 1, input.subspan(2)),
-                           input[1]);
+  const unstep::Bitmap ink =
+      unstep::fuzz::ink_of(input[0] + 1, input.subspan(2));
+  unstep::fuzz::round_trip(ink, input[1]);
+  unstep::fuzz::round_trip_centrelines(ink);
   return 0;
 }

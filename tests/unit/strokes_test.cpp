@@ -186,16 +186,18 @@ TEST(Strokes, OfFewBytesStayWithinTheTolerance) {
   options.aim = LineAim::few_bytes;
   const Result<Drawing> cheap = stroke_paths(strokes, canvas_of(ink), options);
   ASSERT_TRUE(cheap) << cheap.error().message;
-  // Paths are of half pixels, and half a pixel beside their chains.
+  // Paths are in half pixels and go through the middles of pixels, (2x + 1,
+  // 2y + 1), where chains have (x, y). Lines three pixels wide are not shifted
+  // beside their chains, so nothing but the tolerance lies between the two.
   Drawing paths = *cheap;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
+    EXPECT_EQ(strokes[i].shift, (Point{0, 0}));
     Point& at = paths.paths[i].origin;
-    at = {at.x - 1 - (at.x + 1) % 2, at.y - 1 - (at.y + 1) % 2};
+    at = {at.x - 1, at.y - 1};
   }
   const auto far = measure_deviation(chains_of(strokes), paths);
   ASSERT_TRUE(far) << far.error().message;
-  // The pixel's half that a path of a shifted group may be moved by.
-  EXPECT_LE(far->distance, 1 + 0.7072);
+  EXPECT_LE(far->distance, 1);
   EXPECT_LT(cheap->paths.size(), 60U);
 }
 

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "codec/decision_model.h"
+#include "codec/pixel_planes.h"
+#include "codec/vertex_rulers.h"
+#include "entropy/counter.h"
+
+namespace unstep::codec {
+
+/// Predicts where pieces of ink are met, in the order of rows: for the 64
+/// pixels of a word whether there is one, then for each pixel in turn.
+class CentrelineStartModel {
+ public:
+  using Words = DecisionModel<10, 3, true>;
+  using Pixels = DecisionModel<10, 3, true>;
+  /// What the mixers start with, 12 fractional bits: words, then pixels.
+  static const std::array<Words::Weights, 2> kInitialWeights;
+
+  /// The planes and rulers must outlive the model.
+  CentrelineStartModel(const PixelPlanes& planes, const VertexRulers& rulers);
+
+  /// Bytes that the constructor allocates, rounded up.
+  static std::uint64_t memory(std::int32_t width);
+
+  void begin_row(std::int32_t y);
+
+  /// Which of the unknown pixels `mask` (not 0) of the word is the first of
+  /// ink: its bit, or 0 if none is. `ink`: the true ones (encoder only).
+  template <class Coder>
+  std::uint64_t code(Coder& coder, std::uint64_t mask, std::int32_t word,
+                     std::uint64_t ink) {
+    entropy::Counter& gate = look_at_word(mask, word);
+    bool any = (ink & mask) != 0;
+    if (gate.n >= kGateAge && gate.p < kGateRare) {
+      any = coder.code(any, gate.p + 4);
+    } else {
+      set_word_contexts(word);
+      any = words_.code(coder, any, 0, word_selectors_);
+    }
+    gate.update(any);
+    if (!any) return 0;
+    for (;;) {
+      const std::uint64_t bit = std::bit_floor(mask);
+      mask &= ~bit;
+      const std::int32_t x = word * 64 + std::countl_zero(bit);
+      if (mask != 0) {
+        look_at_pixel(x, mask);
+        if (!pixels_.code(coder, (ink & bit) != 0, 0, pixel_selectors_)) {
+          continue;
+        }
+      }
+      count(x);
+      return bit;
+    }
+  }
+
+  /// For the training of kInitialWeights.
+  [[nodiscard]] const auto& words() const { return words_.mixer(); }
+  [[nodiscard]] const auto& pixels() const { return pixels_.mixer(); }
+
+ private:
+  static constexpr int kTableBits = 14;
+  static constexpr int kGateAge = 24;    ///< observations before it may
+  static constexpr int kGateRare = 512;  ///< of 65536
+
+  /// Starts in the columns of a word, decaying over the rows; 4096 is one.
+  struct Density {
+    std::uint32_t quick = 0, slow = 0;
+    std::int32_t last = -1000;  ///< row of the last start
+    std::int32_t column = 0;    ///< and its column
+  };
+
+  /// What a word's flag is asked under.
+  struct WordSight {
+    unsigned quick = 0, beside = 0, slow = 0;  ///< densities, octaves
+    unsigned size = 0, close = 0;  ///< unknown pixels, those near ink, octaves
+    unsigned few = 0;              ///< starts in this row before, at most 3
+  };
+  /// Returns its gate.
+  entropy::Counter& look_at_word(std::uint64_t mask, std::int32_t word);
+  void set_word_contexts(std::int32_t word);
+  void look_at_pixel(std::int32_t x, std::uint64_t rest);
+  void count(std::int32_t x);
+
+  const PixelPlanes& planes_;
+  const VertexRulers& rulers_;
+  VertexRulers starts_;             ///< starts alone
+  std::vector<Density> density_;    ///< a word more on either side
+  std::vector<std::int32_t> last_;  ///< the last start's row, by column
+  std::vector<entropy::Counter> gates_;
+  Words words_;
+  Pixels pixels_;
+  WordSight sight_;
+  Words::Selectors word_selectors_{};
+  Pixels::Selectors pixel_selectors_{};
+  std::int32_t y_ = 0;
+  std::int32_t last_row_ = 0;  ///< that had starts, before this one
+  unsigned row_starts_ = 0;    ///< in this row
+  std::int32_t row_last_ = 0;  ///< column of the last one
+};
+
+}  // namespace unstep::codec

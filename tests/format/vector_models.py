@@ -1,0 +1,107 @@
+"""Bits, numbers, models of decisions and table 1 of "Coder 24: paths" of
+docs/format.md."""
+import pathlib
+import re
+
+from decisions import RAW, Vectors, mix
+from entropy import K, STRETCH, Mixer, Refiner, clamp, squash, top, update
+
+FOLDER = pathlib.Path(__file__).resolve().parents[2] / "src/codec"
+AGES = 0, 1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 18, 22, 26, 30, 40
+
+
+def texts_of(name):
+    """The texts of a table, each as a list of numbers of six bits."""
+    source = (FOLDER / name).read_text("ascii").split("Table kTable")[1]
+    texts = re.findall(r'(?:"[^"]*"\s*)+', source)
+    return [[44 if c == "p" else ord(c) - 48
+             for c in "".join(re.findall(r'"([^"]*)"', text))]
+            for text in texts]
+
+
+def bit(coder, counter):
+    found = coder.decode(clamp(counter[0], 16, 65520), "")
+    update(counter, found)
+    return found
+
+
+class Set:
+    """A set of numbers of coders 16 and 24."""
+
+    def __init__(self):
+        self.L, self.M, self.sign = {}, {}, [RAW, 0]
+
+    def number(self, coder):
+        w = 1
+        while w <= 49 and bit(coder, self.L.setdefault(w, [RAW, 0])):
+            w += 1
+        u = 1
+        for i in range(w - 1):
+            counter = self.M.setdefault((w, u), [RAW, 0])
+            u = 2 * u + (bit(coder, counter) if i < 3
+                         else coder.decode(RAW, ""))
+        return u - 1
+
+    def signed(self, coder):
+        v = self.number(coder)
+        return -v if v and bit(coder, self.sign) else v
+
+
+class Model:
+    """Models of decisions: refined, with 18 contexts and 3 sets."""
+
+    def __init__(self):
+        self.tables = [{} for _ in range(18)]
+        self.mixer = Mixer((1, 1, 1), [[0] * 40])
+        first = [4 * (5734 // 18)] * 36 + [0] * 4
+        self.mixer.sets = [Vectors(list(first)) for _ in range(3)]
+        self.refiners = Refiner(), Refiner()
+
+    def decode(self, coder, values, node, selectors):
+        counters, x = [], []
+        for i, (table, value) in enumerate(zip(self.tables, values)):
+            name = top(16, mix(value + i, node) * K)
+            counter = table.setdefault(name, [RAW, 0])
+            counters.append(counter)
+            p, n = counter
+            x += STRETCH[p >> 4], (p - 32768) * 51 * min(n, 30) >> 16
+        selectors = [s % 1024 for s in selectors]
+        mean = self.mixer.mean(x + [77, 0, 0, 0], selectors)
+        p = 2 * squash(mean) + sum(r.refine(mean, s) for r, s in
+                                   zip(self.refiners, selectors))
+        found = coder.decode(clamp(p // 4, 8, 65528), "")
+        for refiner in self.refiners:
+            refiner.learn(found)
+        self.mixer.learn(found)
+        for counter in counters:
+            update(counter, found)
+        return found
+
+
+def table_1(models):
+    """Table 1 of coder 24."""
+    counters, weights = texts_of("path_warm_start_table.cpp")
+    context = index = 0
+    for at in range(0, len(counters), 4):
+        high, low, level, age = counters[at:at + 4]
+        passed, n = high << 6 | low, AGES[age % 16]
+        if passed == 0 and n == 0:
+            context, index = context + 1, 0
+            if context == 54:
+                break
+            continue
+        index += passed
+        if n:
+            models[context // 18].tables[context % 18][index] = [
+                squash(72 * (level - 32)), n]
+            index += 1
+    for at in range(0, len(weights), 78):
+        record = weights[at:at + 78]
+        part, set_ = record[0], record[1]
+        numbers = [a << 6 | b for a, b in zip(record[2::2], record[3::2])]
+        vector = [(v - 2048) * 16 for v in numbers[1:]] + [0] * 3
+        mixer = models[part].mixer
+        if numbers[0] == 4095:
+            mixer.sets = [Vectors(list(vector)) for _ in range(3)]
+        else:
+            mixer.sets[set_][numbers[0]] = [vector, 384]
