@@ -11,6 +11,7 @@
 #include "entropy/counter.h"
 #include "entropy/logistic.h"
 #include "entropy/mixer.h"
+#include "entropy/refiner.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -18,8 +19,10 @@
 
 namespace unstep::codec {
 
-/// Codes pixels under eight hashed contexts, mixed by two sets of weights. A
-/// DecisionModel that checks its slots and is made for vector code.
+/// Codes pixels under eight hashed contexts, mixed by two sets of weights; what
+/// the mixer says is refined by what followed where it said the same under the
+/// same vector of the first set. A DecisionModel that checks its slots and is
+/// made for vector code.
 class ShapeMixer {
  public:
   static constexpr std::size_t kContexts = 8;
@@ -32,7 +35,8 @@ class ShapeMixer {
   ShapeMixer(int table_bits, const Chosen& selectors)
       : bits_(table_bits),
         slots_(kContexts << table_bits),
-        mixer_(selectors, std::array<Weights, 1>{initial()}) {}
+        mixer_(selectors, std::array<Weights, 1>{initial()}),
+        refiner_(selectors[0]) {}
 
   /// Bytes of the slots.
   static constexpr std::uint64_t memory(int table_bits) {
@@ -43,8 +47,10 @@ class ShapeMixer {
   bool code(Coder& coder, bool bit, const Contexts& contexts,
             const Chosen& chosen) {
     recall(contexts);
-    const int p = entropy::squash(mixer_.mix(chosen));
+    const int x = mixer_.mix(chosen);
+    const int p = (entropy::squash(x) + refiner_.refine(x, chosen[0])) / 2;
     const bool coded = coder.code(bit, std::clamp(p, 24, 65512));
+    refiner_.learn(coded);
     mixer_.update(coded);
     learn(coded);
     return coded;
@@ -138,6 +144,7 @@ class ShapeMixer {
   int bits_;
   std::vector<Slot> slots_;
   entropy::Mixer<kInputs, kSets> mixer_;
+  entropy::Refiner refiner_;
   std::array<Slot*, kContexts> active_{};
   alignas(16) std::array<std::uint16_t, kContexts> checks_{};
   alignas(16) std::array<std::uint16_t, kContexts> ages_{};

@@ -21,7 +21,7 @@ namespace unstep::codec {
 class ShapePixels {
  public:
   static constexpr int kGateAge = 24;     ///< observations before a gate may
-  static constexpr int kGateRare = 1500;  ///< of 65536
+  static constexpr int kGateRare = 6000;  ///< of 65536
 
   explicit ShapePixels(int table_bits)
       : mixer_(table_bits, {1024, 256}),
@@ -48,20 +48,25 @@ class ShapePixels {
         matched_[static_cast<std::size_t>(k)] = reference->row(y - 2 + k);
       }
       find_busy(width);
-      const std::uint64_t row =
-          std::min<std::uint64_t>(static_cast<std::uint64_t>(y), 31) |
-          static_cast<std::uint64_t>(std::min(height - 1 - y, 31)) << 5;
+      width_ = width;
+      place_ = std::min<std::uint64_t>(static_cast<std::uint64_t>(y), 31) |
+               static_cast<std::uint64_t>(std::min(height - 1 - y, 31)) << 5;
+      look(0);
       for (std::int32_t x = 0; x < width;) {
         const std::int32_t end = quiet_end(x, width);
         if (end > x) {
           x = code_run(coder, truth, x, end, y, end == width, canvas);
+          if (x - first_ < kLook) {
+            seen_[0] = view(rows_[0], first_);
+          } else {
+            look(x);
+          }
           continue;
         }
-        const std::uint64_t place =
-            row | static_cast<std::uint64_t>(std::min(x, 31)) << 10 |
-            static_cast<std::uint64_t>(std::min(width - x, 31)) << 15;
-        if (code_pixel(coder, truth != nullptr && truth->get(x, y), x, place)) {
+        if (x - first_ >= kLook) look(x);
+        if (code_pixel(coder, truth != nullptr && truth->get(x, y), x)) {
           canvas.set(x, y);
+          seen_[0] |= std::uint64_t{1} << (31 - (x - first_));
         }
         ++x;
       }
@@ -73,6 +78,21 @@ class ShapePixels {
 
   static std::uint64_t view(ShapeCanvas::Row row, std::int32_t x) {
     return ShapeCanvas::window(row, x);
+  }
+  /// The next pixels from x on see these windows, moved.
+  void look(std::int32_t x) {
+    first_ = x;
+    for (std::size_t k = 0; k < rows_.size(); ++k) seen_[k] = view(rows_[k], x);
+    for (std::size_t k = 0; k < matched_.size() && refers_; ++k) {
+      matched_seen_[k] = view(matched_[k], x);
+    }
+  }
+  /// Row y - k, and row y - 2 + k of the reference, around x.
+  [[nodiscard]] std::uint64_t above(std::size_t k, std::int32_t x) const {
+    return seen_[k] << (x - first_);
+  }
+  [[nodiscard]] std::uint64_t matched(std::size_t k, std::int32_t x) const {
+    return matched_seen_[k] << (x - first_);
   }
   /// `left` pixels before the middle, the middle and `right` after it.
   static constexpr std::uint64_t cut(std::uint64_t window, int left,
@@ -180,20 +200,19 @@ class ShapePixels {
   }
 
   template <class Coder>
-  bool code_pixel(Coder& coder, bool truth, std::int32_t x,
-                  std::uint64_t place) {
-    const std::uint64_t r0 = view(rows_[0], x);
-    const std::uint64_t r1 = view(rows_[1], x);
+  bool code_pixel(Coder& coder, bool truth, std::int32_t x) {
+    const std::uint64_t r0 = above(0, x);
+    const std::uint64_t r1 = above(1, x);
     const std::uint64_t corner = before(r0, 2) | cut(r1, 1, 1) << 2;
-    const std::uint64_t r2 = view(rows_[2], x);
+    const std::uint64_t r2 = above(2, x);
     const std::uint64_t near =
         before(r0, 4) | cut(r1, 3, 3) << 4 | cut(r2, 2, 2) << 11;
     std::uint64_t block = 0;
     std::uint64_t middle = 0;
     if (refers_) {
-      middle = view(matched_[2], x);
-      block = cut(middle, 1, 1) | cut(view(matched_[1], x), 1, 1) << 3 |
-              cut(view(matched_[3], x), 1, 1) << 6;
+      middle = matched(2, x);
+      block = cut(middle, 1, 1) | cut(matched(1, x), 1, 1) << 3 |
+              cut(matched(3, x), 1, 1) << 6;
     }
     entropy::Counter& gate =
         gates_[refers_ ? 1U << 16 | block | corner << 9 : near];
@@ -205,7 +224,7 @@ class ShapePixels {
       gate.update(bit);
       if (bit == likely) return bit;
     } else {
-      bit = mix(coder, truth, x, place, {r0, r1, r2, near, block, corner});
+      bit = mix(coder, truth, x, {r0, r1, r2, near, block, corner});
       gate.update(bit);
     }
     const bool expected = (middle >> 31 & 1) != 0;
@@ -218,10 +237,12 @@ class ShapePixels {
   };
 
   template <class Coder>
-  bool mix(Coder& coder, bool truth, std::int32_t x, std::uint64_t place,
-           const Near& n) {
-    const std::uint64_t r3 = view(rows_[3], x);
-    const std::uint64_t r4 = view(rows_[4], x);
+  bool mix(Coder& coder, bool truth, std::int32_t x, const Near& n) {
+    const std::uint64_t place =
+        place_ | static_cast<std::uint64_t>(std::min(x, 31)) << 10 |
+        static_cast<std::uint64_t>(std::min(width_ - x, 31)) << 15;
+    const std::uint64_t r3 = above(3, x);
+    const std::uint64_t r4 = above(4, x);
     ShapeMixer::Contexts c;
     c[0] = before(n.r0, 6) | cut(n.r1, 4, 4) << 6 | cut(n.r2, 3, 3) << 15 |
            cut(r3, 2, 2) << 22;
@@ -231,8 +252,7 @@ class ShapePixels {
            cut(r3, 2, 5) << 21;
     c[3] = before(n.r0, 1) | cut(n.r1, 1, 3) << 1 | cut(n.r2, 1, 1) << 6 |
            cut(r3, 1, 1) << 9 | cut(r4, 1, 1) << 12 |
-           cut(view(rows_[5], x), 1, 1) << 15 |
-           cut(view(rows_[6], x), 1, 1) << 18;
+           cut(above(5, x), 1, 1) << 15 | cut(above(6, x), 1, 1) << 18;
     ShapeMixer::Chosen chosen;
     if (refers_) {
       const std::uint64_t quality = errors_ < 1024    ? 0
@@ -240,11 +260,10 @@ class ShapePixels {
                                     : errors_ < 10240 ? 2
                                                       : 3;
       const std::uint64_t kind = 1ULL << 60 | quality << 56;
-      const std::uint64_t wide = cut(view(matched_[0], x), 1, 1) |
-                                 cut(view(matched_[1], x), 2, 2) << 3 |
-                                 cut(view(matched_[2], x), 2, 2) << 8 |
-                                 cut(view(matched_[3], x), 2, 2) << 13 |
-                                 cut(view(matched_[4], x), 1, 1) << 18;
+      const std::uint64_t wide =
+          cut(matched(0, x), 1, 1) | cut(matched(1, x), 2, 2) << 3 |
+          cut(matched(2, x), 2, 2) << 8 | cut(matched(3, x), 2, 2) << 13 |
+          cut(matched(4, x), 1, 1) << 18;
       c[4] = kind | n.block | n.corner << 9;
       c[5] = kind | wide | (n.corner & 1) << 24 | (n.r1 >> 31 & 1) << 25;
       c[6] = kind | n.block | n.near << 9;
@@ -267,6 +286,14 @@ class ShapePixels {
   std::vector<entropy::Counter> quiet_;
   std::int32_t errors_ = 0;
   bool refers_ = false;
+  std::int32_t width_ = 0;
+  std::uint64_t place_ = 0;  ///< of the row, from the top and from the bottom
+  /// Windows of the rows below around first_: for x up to kLook - 1 more the
+  /// contexts, which see 6 pixels ahead, have them whole.
+  static constexpr std::int32_t kLook = 24;
+  std::int32_t first_ = 0;
+  std::array<std::uint64_t, 7> seen_{};
+  std::array<std::uint64_t, 5> matched_seen_{};
   std::array<ShapeCanvas::Row, 7> rows_{};     ///< this row and those above
   std::array<ShapeCanvas::Row, 5> matched_{};  ///< rows y - 2 .. y + 2
   std::array<std::uint64_t, kWords> busy_{};

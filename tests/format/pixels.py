@@ -1,5 +1,5 @@
 """Section "Pixels of shapes" of docs/format.md."""
-from entropy import K, M64, STRETCH, Mixer, clamp, move, top, update
+from entropy import K, M64, STRETCH, Mixer, Refiner, clamp, move, squash, top, update
 
 
 class Pixels:
@@ -8,6 +8,7 @@ class Pixels:
         self.runs, self.gates = {}, {}
         self.slots = [{} for _ in range(8)]
         self.mixer = Mixer((1024, 256), ([768] * 16,))
+        self.refiner = Refiner()
 
     def shape(self, w, h, R, dx, dy):
         """Rows of pixels; R is the shape that it refers to, or None."""
@@ -95,7 +96,7 @@ class Pixels:
             65536 + block + (corner << 9) if self.R else near, [32768, 0])
         likely = int(gate[0] >= 32768)
         rare = 65535 - gate[0] if likely else gate[0]
-        if gate[1] >= 24 and rare < 1500:
+        if gate[1] >= 24 and rare < 6000:
             bit = likely ^ self.coder.decode(rare + 4, "gate")
             update(gate, bit)
             if bit == likely:
@@ -154,8 +155,10 @@ class Pixels:
             places.append((table, place, check))
         x = [STRETCH[p >> 4] for p, n in counters]
         x += [(p - 32768) * 51 * min(n, 30) >> 16 for p, n in counters]
-        p = clamp(self.mixer.predict(x, vectors), 24, 65512)
-        bit = self.coder.decode(p, "pixel")
+        mean = self.mixer.mean(x, vectors)
+        p = (squash(mean) + self.refiner.refine(mean, vectors[0])) // 2
+        bit = self.coder.decode(clamp(p, 24, 65512), "pixel")
+        self.refiner.learn(bit)
         self.mixer.learn(bit)
         for (p, n), (table, place, check) in zip(counters, places):
             table[place] = check, move(p, n, bit), min(255, n + 1)
