@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <new>
 #include <string>
@@ -9,6 +8,7 @@
 #include "interpolate/letters.h"
 #include "steps/grid_moves.h"
 #include "steps/line3.h"
+#include "steps/step_times.h"
 #include "steps/timing.h"
 #include "steps/words.h"
 
@@ -18,8 +18,9 @@ namespace {
 
 using steps::GridMove;
 
-/// Pulses of a part of a run, and of lines that are drawn together.
-constexpr std::size_t kPart = std::size_t{1} << 20;
+/// Pulses of a part of a run, few enough that they and their waits stay in the
+/// cache until they are written, and of lines that are drawn together.
+constexpr std::size_t kPart = std::size_t{1} << 16;
 constexpr std::size_t kBatch = std::size_t{1} << 16;
 
 bool counts_steps(Method method) {
@@ -41,9 +42,8 @@ class Maker {
         if (Status done = flush(); !done) return done;
         run_.rapid = move.rapid;
       }
-      const std::size_t before = run_.words.size();
       Status done = draw(move);
-      if (done && options_.timed) done = time(move, speeds[i], before);
+      if (done && options_.timed) done = time(move, speeds[i]);
       if (done && run_.words.size() >= kPart) done = flush();
       if (!done) return done;
     }
@@ -96,7 +96,7 @@ class Maker {
     if (Status done = take(count); !done) return done;
     lines_.push_back(line);
     pending_ += static_cast<std::size_t>(count);
-    return options_.timed || pending_ >= kBatch ? draw_lines() : Status();
+    return pending_ >= kBatch ? draw_lines() : Status();
   }
 
   /// The lines that wait, together.
@@ -159,36 +159,19 @@ class Maker {
     return {};
   }
 
-  /// Waits of the words that the move has made.
-  Status time(const GridMove& move, const steps::MoveSpeed& speed,
-              std::size_t before) {
-    const std::size_t count = run_.words.size() - before;
-    const auto all = static_cast<double>(count);
-    const double clock = options_.timing.clock;
-    const steps::MoveClock moved(speed, move.length,
-                                 options_.timing.acceleration);
+  /// Waits of the steps that the move makes.
+  Status time(const GridMove& move, const steps::MoveSpeed& speed) {
+    const std::size_t before = run_.waits.size();
+    const std::size_t count = run_.words.size() + pending_ - before;
+    if (count == 0) return {};
+    const steps::StepTimes times(speed, move.length,
+                                 options_.timing.acceleration,
+                                 options_.timing.clock, count);
     run_.waits.resize(before + count);
-    double ticks = 0;
-    for (std::size_t i = 1; i <= count; ++i) {
-      const double way = move.length * static_cast<double>(i) / all;
-      ticks = clock * moved.at(way);
-      // What rounding leaves goes into the next wait.
-      const double wait = move_begin_ + ticks - clock_at_;
-      if (!(wait < 4294967296.0)) {
-        return Error{ErrorCode::out_of_range,
-                     "a step takes longer than 2^32 ticks of the clock"};
-      }
-      const auto whole =
-          std::max<std::int64_t>(1, static_cast<std::int64_t>(wait));
-      run_.waits[before + i - 1] = static_cast<std::uint32_t>(whole);
-      clock_at_ += static_cast<double>(whole);
-    }
-    move_begin_ += ticks;
-    // Numbers that stay small keep their precision.
-    const double whole = std::floor(std::min(move_begin_, clock_at_));
-    move_begin_ -= whole;
-    clock_at_ -= whole;
-    return {};
+    if (waits_.make(times, std::span(run_.waits).subspan(before))) return {};
+    return Error{ErrorCode::out_of_range,
+                 "a step takes longer than 2^32 ticks of the clock, or a "
+                 "motion longer than 2^50"};
   }
 
   const StepMakeOptions& options_;
@@ -197,8 +180,7 @@ class Maker {
   StepRun run_;
   std::vector<Segment> lines_;
   std::size_t pending_ = 0;  ///< steps of lines_
-  double move_begin_ = 0;    ///< ticks, since some whole number of them
-  double clock_at_ = 0;      ///< of the last step
+  steps::WaitMaker waits_;
 };
 
 Status check(const StepMakeOptions& options) {

@@ -197,6 +197,61 @@ TEST(timed_steps, speed_up_and_brake_as_the_acceleration_allows) {
   }
 }
 
+TEST(timed_steps, come_within_half_a_tick_of_where_the_speed_says) {
+  StepMakeOptions options;
+  options.timed = true;
+  options.timing.acceleration = 100;
+  const StepStream stream =
+      steps_of("G0 X0 Y0\nG1 X3 F600\nG1 X10 F1200\n", options);
+  // 10 mm/s after 0.5 mm and 0.1 s, 3 mm after 0.35 s, 20 mm/s after 1.5 mm
+  // and 0.1 s more, until 2 mm before the end.
+  const auto seconds = [](double way) {
+    if (way <= 0.5) return std::sqrt(way / 50);
+    if (way <= 3) return 0.1 + (way - 0.5) / 10;
+    if (way <= 4.5) return 0.35 + (std::sqrt(100 + 200 * (way - 3)) - 10) / 100;
+    if (way <= 8) return 0.45 + (way - 4.5) / 20;
+    return 0.625 + 0.2 - std::sqrt((10 - way) / 50);
+  };
+  std::uint64_t ticks = 0;
+  for (std::size_t i = 0; i < stream.runs[0].waits.size(); ++i) {
+    ticks += stream.runs[0].waits[i];
+    const double way = static_cast<double>(i + 1) / 100;
+    EXPECT_NEAR(static_cast<double>(ticks), 1e6 * seconds(way), 0.501) << way;
+  }
+  EXPECT_EQ(stream.runs[0].waits.size(), 1000U);
+}
+
+TEST(timed_steps, of_a_slow_clock_come_one_a_tick) {
+  StepMakeOptions options;
+  options.timed = true;
+  options.timing.clock = 100;
+  const StepStream stream =
+      steps_of("G0 X0 Y0\nG1 X10 F600\nG1 X10.05 F6\n", options);
+  const auto& waits = stream.runs[0].waits;
+  // 1 ms apart is too near.
+  for (std::size_t i = 20; i < 980; ++i) EXPECT_EQ(waits[i], 1U) << i;
+  EXPECT_EQ(waits.size(), 1005U);
+}
+
+TEST(timed_steps, may_be_most_of_2_to_the_32_ticks_apart) {
+  StepMakeOptions options;
+  options.timed = true;
+  options.timing.acceleration = 0;
+  options.timing.clock = 4'000'000'000;
+  std::string text = "G0 X0 Y0\n";
+  for (int i = 0; i < 20; ++i) {
+    text += "G91 G1 X0.05 F" + std::string(i % 2 == 0 ? "0.57" : "6000") + "\n";
+  }
+  const StepStream stream = steps_of(text, options);
+  EXPECT_GT(stream.runs[0].waits[1], 4'200'000'000U);
+  EXPECT_EQ(stream.runs[0].waits[7], 400'000U);
+  EXPECT_EQ(*read_steps(*write_steps(stream, StepFormat::binary),
+                        StepFormat::binary, {}),
+            stream);
+  options.timing.feed = 0.5;
+  EXPECT_FALSE(make_steps(program_of("G0 X0 Y0\nG1 X1\n"), options));
+}
+
 TEST(timed_steps, look_ahead_over_short_moves) {
   StepMakeOptions options;
   options.timed = true;
