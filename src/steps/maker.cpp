@@ -21,7 +21,7 @@ using steps::GridMove;
 /// Pulses of a part of a run, few enough that they and their waits stay in the
 /// cache until they are written, and of lines that are drawn together.
 constexpr std::size_t kPart = std::size_t{1} << 16;
-constexpr std::size_t kBatch = std::size_t{1} << 16;
+constexpr std::size_t kBatch = std::size_t{1} << 13;
 
 bool counts_steps(Method method) {
   return method == Method::evaluation8 || method == Method::evaluation ||
@@ -39,36 +39,41 @@ class Maker {
     for (std::size_t i = 0; i < moves.size(); ++i) {
       const GridMove& move = moves[i];
       if (move.rapid != run_.rapid) {
-        if (Status done = flush(); !done) return done;
+        if (Status done = flush(true); !done) return done;
         run_.rapid = move.rapid;
       }
       Status done = draw(move);
       if (done && options_.timed) done = time(move, speeds[i]);
-      if (done && run_.words.size() >= kPart) done = flush();
+      if (done && run_.words.size() >= kPart) done = flush(false);
       if (!done) return done;
     }
-    return flush();
+    return flush(true);
   }
 
  private:
-  Status flush() {
+  /// Hands on the pulses of the run in parts, so that what a part is does not
+  /// depend on where motions end. What is less than one waits if more may come.
+  Status flush(bool whole) {
     if (Status done = draw_lines(); !done) return done;
-    for (std::size_t at = 0; at < run_.words.size(); at += kPart) {
-      if (run_.words.size() <= kPart) {
-        if (Status done = sink_(run_); !done) return done;
-        break;
-      }
+    std::size_t at = 0;
+    while (run_.words.size() - at >= (whole ? 1 : kPart)) {
       const std::size_t end = std::min(at + kPart, run_.words.size());
-      const auto cut = [at, end](const auto& all) {
-        return std::vector(all.begin() + static_cast<std::ptrdiff_t>(at),
-                           all.begin() + static_cast<std::ptrdiff_t>(end));
+      const auto cut = [at, end](const auto& all, auto& out) {
+        const auto begin = all.begin();
+        out.assign(begin + static_cast<std::ptrdiff_t>(at),
+                   begin + static_cast<std::ptrdiff_t>(end));
       };
-      StepRun part{run_.rapid, cut(run_.words), {}};
-      if (options_.timed) part.waits = cut(run_.waits);
-      if (Status done = sink_(part); !done) return done;
+      part_.rapid = run_.rapid;
+      cut(run_.words, part_.words);
+      if (options_.timed) cut(run_.waits, part_.waits);
+      if (Status done = sink_(part_); !done) return done;
+      at = end;
     }
-    run_.words.clear();
-    run_.waits.clear();
+    const auto drop = [at](auto& all) {
+      all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(at));
+    };
+    drop(run_.words);
+    if (options_.timed) drop(run_.waits);
     return {};
   }
 
@@ -178,6 +183,7 @@ class Maker {
   const StepSink& sink_;
   std::uint64_t left_;
   StepRun run_;
+  StepRun part_;  ///< of it, as it is handed on
   std::vector<Segment> lines_;
   std::size_t pending_ = 0;  ///< steps of lines_
   steps::WaitMaker waits_;

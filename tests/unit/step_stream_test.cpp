@@ -111,6 +111,29 @@ TEST(steps, come_back_from_every_format) {
   }
 }
 
+TEST(steps, have_the_same_bytes_however_many_motions_make_them) {
+  std::string whole = "G0 X0 Y0\nG1 X3000 Y0 F600\nG0 X3001\n";
+  std::string pieces = "G0 X0 Y0\n";
+  for (int i = 1; i <= 3000; ++i) {
+    pieces += "G1 X" + std::to_string(i) + " F600\n";
+  }
+  pieces += "G0 X3001\n";
+  const auto bytes_of = [](const std::string& text) {
+    std::string bytes;
+    Result<StepWriter> writer = StepWriter::create(
+        StepFormat::binary, step_head({}), [&bytes](std::string_view more) {
+          bytes += more;
+          return Status();
+        });
+    EXPECT_TRUE(make_steps(program_of(text), {}, [&](const StepRun& run) {
+      return writer->add(run);
+    }));
+    EXPECT_TRUE(writer->finish());
+    return bytes;
+  };
+  EXPECT_EQ(bytes_of(whole), bytes_of(pieces));
+}
+
 TEST(steps, come_back_from_raw_bytes) {
   StepStream stream = steps_of("G1 X0.03 Y0.01 F600\n");
   const std::string bytes = *write_steps(stream, StepFormat::raw);
