@@ -148,18 +148,28 @@ class Reverser {
     steps::LineSearch lines(codes_, options_.method, kReach);
     std::size_t tried = 0;  // arcs are looked for where lines are short
     std::optional<steps::LaterArc> later;
+    std::optional<Element> next;
     for (std::size_t at = 0; at < codes_.size() && in_range_;) {
-      Element element;
-      if (later && later->begin == at) {
+      if (later) tried = at;
+      Element element =
+          next && !later
+              ? *next
+              : longest(lines, at, options_.arcs && !run.rapid, tried);
+      next.reset();
+      if (later && later->arc.steps > element.count) {
         element.arc = later->arc;
         element.count = later->arc.steps;
-      } else {
-        element = longest(lines, at, options_.arcs && !run.rapid, tried);
       }
       later.reset();
-      if (options_.arcs && !run.rapid) later = shorten(lines, at, element);
+      if (options_.arcs && !run.rapid) {
+        later = shorten(lines, at, element);
+        if (!later) next = step_back(lines, at, element);
+      }
       if (!later && !element.arc) {
-        element.count = lines.before_next(at, element.count, element.line);
+        const std::size_t count =
+            lines.before_next(at, element.count, element.line);
+        if (count != element.count) next.reset();
+        element.count = count;
       }
       if (element.arc) {
         put_arc(run, at, *element.arc);
@@ -201,28 +211,66 @@ class Reverser {
                                          Element& element) const {
     const std::size_t end = at + element.count;
     if (end >= codes_.size()) return std::nullopt;
-    Segment line;
-    const auto may_end = [&](std::size_t here) {
-      if (here == end) return true;
-      if (!element.arc) return lines.is_line(at, here - at, line);
-      const Arc& arc = element.arc->arc;
-      return steps::ArcSearch(std::span(codes_).subspan(at),
-                              std::span(points_).subspan(at), combined(),
-                              step_mm())
-          .is_end(arc.centre, arc.clockwise, here - at);
-    };
     std::optional<steps::LaterArc> later = steps::later_arc(
-        codes_, points_, at + 1, end, combined(), step_mm(), may_end);
-    if (!later || later->begin == end) return later;
-    element.count = later->begin - at;
+        codes_, points_, at + 1, end, combined(), step_mm(),
+        [&](std::size_t here) { return may_end(lines, at, element, here); });
+    if (later) end_at(lines, at, element, later->begin);
+    return later;
+  }
+
+  /// Ends the element a few steps earlier where what follows it then comes
+  /// much farther; returns that.
+  std::optional<Element> step_back(steps::LineSearch& lines, std::size_t at,
+                                   Element& element) const {
+    constexpr std::size_t kShort = 64;
+    constexpr std::size_t kBack = 16;
+    const std::size_t end = at + element.count;
+    if (end >= codes_.size()) return std::nullopt;
+    const auto longest_from = [&](std::size_t here) {
+      std::size_t tried = 0;
+      return longest(lines, here, true, tried);
+    };
+    Element next = longest_from(end);
+    if (next.count >= kShort) return next;
+    std::size_t best = end + next.count + kShort / 4;
+    std::size_t chosen = end;
+    for (std::size_t back = 1; back <= kBack && back < element.count; ++back) {
+      const std::size_t here = end - back;
+      if (!may_end(lines, at, element, here)) continue;
+      const Element other = longest_from(here);
+      if (here + other.count <= best) continue;
+      best = here + other.count;
+      chosen = here;
+      next = other;
+    }
+    end_at(lines, at, element, chosen);
+    return next;
+  }
+
+  /// Whether the element draws its steps up to there and no more.
+  bool may_end(steps::LineSearch& lines, std::size_t at, const Element& element,
+               std::size_t here) const {
+    if (here == at + element.count) return true;
+    Segment line;
+    if (!element.arc) return lines.is_line(at, here - at, line);
+    const Arc& arc = element.arc->arc;
+    return steps::ArcSearch(std::span(codes_).subspan(at),
+                            std::span(points_).subspan(at), combined(),
+                            step_mm())
+        .is_end(arc.centre, arc.clockwise, here - at);
+  }
+
+  void end_at(steps::LineSearch& lines, std::size_t at, Element& element,
+              std::size_t here) const {
+    if (here == at + element.count) return;
+    element.count = here - at;
     if (!element.arc) {
       lines.is_line(at, element.count, element.line);
-      return later;
+      return;
     }
     element.arc->steps = element.count;
-    element.arc->arc.end = {points_[later->begin].x - points_[at].x,
-                            points_[later->begin].y - points_[at].y};
-    return later;
+    element.arc->arc.end = {points_[here].x - points_[at].x,
+                            points_[here].y - points_[at].y};
   }
 
   [[nodiscard]] bool combined() const {

@@ -188,6 +188,57 @@ TEST(reversed_steps, of_polygons_and_circles_are_these) {
   EXPECT_EQ(back->text, text);
 }
 
+/// A path of lines and of arcs of every radius, flat ones among them.
+std::string mixed_path(unsigned seed, int count) {
+  std::mt19937 random(seed);
+  const auto share = [&random] { return (random() % 2000) / 1000.0 - 1; };
+  std::string text = "G21 G90 G91.1\nG0 X0 Y0\nG91\n";
+  for (int i = 0; i < count; ++i) {
+    const double x = std::round(1500 * share());
+    const double y = std::round(1500 * share());
+    const auto word = [](const char* name, double steps) {
+      return name + std::to_string(std::round(steps) / 100);
+    };
+    if (x == 0 && y == 0) continue;
+    if (i % 3 == 0) {
+      text += "G1" + word(" X", x) + word(" Y", y) + " F900\n";
+      continue;
+    }
+    // The centre beside the middle of the chord, 0.6 to 20 chords away.
+    const double away = std::exp(2 + 1.5 * share()) - 1;
+    text += (random() % 2 == 0 ? "G2" : "G3") + word(" X", x) + word(" Y", y) +
+            word(" I", x / 2 - away * y) + word(" J", y / 2 + away * x) +
+            " F900\n";
+  }
+  return text;
+}
+
+TEST(reversed_steps, of_arcs_in_a_long_path_are_not_many_more) {
+  const StepStream stream = steps_of(mixed_path(4, 60));
+  const Result<Program> back = reverse_steps(stream, {});
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(*make_steps(*back, StepMakeOptions{}), stream);
+  std::size_t motions = 0;
+  for (const ProgramItem& item : back->items) motions += item.is_motion();
+  EXPECT_LE(motions, 80U);
+}
+
+TEST(steps, of_an_arc_whose_rounded_ends_are_off_its_circle_are_an_arc) {
+  // 57 mm away: rounding leaves the end more than a step off the circle.
+  const StepStream stream = steps_of(
+      "G0 X5.716 Y5.3334\n"
+      "G2 X14.004 Y16.506 I49.7281 J-28.2288 F900\n");
+  const Result<Program> back = reverse_steps(stream, {});
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->items.back().kind, ProgramItem::Kind::clockwise);
+  EXPECT_EQ(back->text.find("G1 "), std::string::npos) << back->text;
+}
+
+TEST(steps, of_an_arc_whose_ends_are_one_on_the_grid_are_all_of_it_or_none) {
+  EXPECT_GT(count_of(steps_of("G0 X0 Y0\nG2 Y-0.001 I1 F9\n")), 500U);
+  EXPECT_EQ(count_of(steps_of("G0 X0 Y0\nG3 Y-0.001 I1 F9\n")), 0U);
+}
+
 TEST(timed_steps, keep_the_feed_without_a_limit) {
   StepMakeOptions options;
   options.timed = true;
