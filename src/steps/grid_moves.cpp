@@ -119,9 +119,8 @@ class Gridder {
       // Ends that are one on the grid: all of the circle, or nothing of it.
       const bool closed =
           move.start[0] == move.end[0] && move.start[1] == move.end[1];
-      const bool full =
-          arc.end == Point{} &&
-          (closed || ProgramArc(move).sweep() > std::numbers::pi);
+      const bool full = arc.end == Point{} &&
+                        (closed || ProgramArc(move).sweep() > std::numbers::pi);
       if (Status done = find_centre(move, full, arc); !done) return done;
       if ((full || arc.end != Point{}) && arc.centre != Point{} &&
           interpolation::check_arc(arc)) {
