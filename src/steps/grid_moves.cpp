@@ -111,9 +111,9 @@ class Gridder {
   }
 
   Status add_arc(const ProgramMove& move) {
-    if (options_.axes == 2 && move.plane == ProgramPlane::xy) {
-      GridPoint end{};
-      if (Status done = round(move.end, end); !done) return done;
+    GridPoint end{};
+    if (Status done = round(move.end, end); !done) return done;
+    if (move.plane == ProgramPlane::xy && end[2] == at_[2]) {
       Arc arc{
           {}, {end[0] - at_[0], end[1] - at_[1]}, move.kind == Kind::clockwise};
       // Ends that are one on the grid: all of the circle, or nothing of it.

@@ -31,7 +31,11 @@ bool counts_steps(Method method) {
 class Maker {
  public:
   Maker(const StepMakeOptions& options, const StepSink& sink)
-      : options_(options), sink_(sink), left_(options.max_steps) {}
+      : options_(options),
+        // What does not move z is drawn as of 2 axes, by one method.
+        method_(options.axes == 3 ? Method::evaluation8 : options.method),
+        sink_(sink),
+        left_(options.max_steps) {}
 
   Status run(const std::vector<GridMove>& moves) {
     std::vector<steps::MoveSpeed> speeds;
@@ -86,18 +90,18 @@ class Maker {
   }
 
   Status draw(const GridMove& move) {
-    if (options_.axes == 3) return draw_line3(move);
+    if (move.delta[2] != 0) return draw_line3(move);
     if (move.is_arc) {
       if (Status done = draw_lines(); !done) return done;
       return draw_arc(move.arc);
     }
     const Segment line{move.delta[0], move.delta[1]};
-    if (!counts_steps(options_.method)) {
+    if (!counts_steps(method_)) {
       Result<Interpolator> drawn =
-          Interpolator::line(options_.method, line, options_.interpolator);
+          Interpolator::line(method_, line, options_.interpolator);
       return drawn ? walk(*drawn) : drawn.error();
     }
-    const std::uint64_t count = step_count(options_.method, line);
+    const std::uint64_t count = step_count(method_, line);
     if (Status done = take(count); !done) return done;
     lines_.push_back(line);
     pending_ += static_cast<std::size_t>(count);
@@ -110,13 +114,13 @@ class Maker {
     const std::size_t before = run_.words.size();
     run_.words.resize(before + pending_);
     const std::span<Step> out = std::span(run_.words).subspan(before);
-    if (interpolation::draws_in_bulk(options_.method)) {
-      const Result<std::size_t> drawn = interpolation::draw_lines(
-          options_.method, lines_, out, steps::kWords);
+    if (interpolation::draws_in_bulk(method_)) {
+      const Result<std::size_t> drawn =
+          interpolation::draw_lines(method_, lines_, out, steps::kWords);
       if (!drawn) return drawn.error();
     } else {
       const Result<std::size_t> drawn =
-          interpolate(options_.method, lines_, out, options_.interpolator);
+          interpolate(method_, lines_, out, options_.interpolator);
       if (!drawn) return drawn.error();
       for (Step& step : out) step = steps::kWords[step & 7];
     }
@@ -129,8 +133,8 @@ class Maker {
     const Result<interpolation::ArcGeometry> checked =
         interpolation::check_arc(arc);
     if (!checked) return checked.error();
-    interpolation::ArcSteps drawn(
-        *checked, options_.method == Method::evaluation8, steps::kWords);
+    interpolation::ArcSteps drawn(*checked, method_ == Method::evaluation8,
+                                  steps::kWords);
     // Short arcs are not made to clear much memory.
     for (std::size_t part = 256;; part = std::min(2 * part, kBatch)) {
       const std::size_t before = run_.words.size();
@@ -156,6 +160,7 @@ class Maker {
   }
 
   Status draw_line3(const GridMove& move) {
+    if (Status done = draw_lines(); !done) return done;
     steps::Line3 line(move.delta);
     if (Status done = take(line.count()); !done) return done;
     for (std::uint32_t i = 0; i < line.count(); ++i) {
@@ -180,6 +185,7 @@ class Maker {
   }
 
   const StepMakeOptions& options_;
+  Method method_;
   const StepSink& sink_;
   std::uint64_t left_;
   StepRun run_;

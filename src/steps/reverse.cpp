@@ -34,6 +34,7 @@ class Reverser {
   Reverser(const StepStream& stream, const StepReverseOptions& options)
       : head_(stream.head), options_(options) {
     move(head_.origin);
+    if (head_.axes == 3) options_.method = Method::evaluation8;
   }
 
   Result<std::string> reverse(const StepStream& stream) {
@@ -51,11 +52,7 @@ class Reverser {
         text_ += '\n';
       }
       first = false;
-      if (head_.axes == 3) {
-        lines3(run);
-      } else {
-        elements(run);
-      }
+      spaces(run);
       if (!in_range_) {
         return Error{ErrorCode::out_of_range,
                      "the steps leave the range of 2^30 steps or 100 km"};
@@ -138,18 +135,50 @@ class Reverser {
     feed(run, begin, begin + found.steps, radius * turn);
   }
 
-  /// Two axes.
-  void elements(const StepRun& run) {
+  /// Whether z steps.
+  static bool leaves_plane(StepWord word) { return (word & 0x30) != 0; }
+
+  /// Lines of three axes, and elements of two where z rests.
+  void spaces(const StepRun& run) {
+    const auto& words = run.words;
+    for (std::size_t at = 0; at < words.size() && in_range_;) {
+      const auto end = static_cast<std::size_t>(
+          std::find_if(words.begin() + static_cast<std::ptrdiff_t>(at),
+                       words.end(), leaves_plane) -
+          words.begin());
+      if (end > at) at = elements(run, at, end);
+      if (at == words.size() || !in_range_) break;
+      GridDelta delta{};
+      const std::size_t count = steps::longest_line3(words, at, delta);
+      put_line(run, at, at + count, delta);
+      at += count;
+    }
+  }
+
+  /// Whether a line of three axes from there goes on beyond `end`, where z
+  /// steps.
+  static bool climbs(const StepRun& run, std::size_t at, std::size_t end) {
+    constexpr std::size_t kNear = 4096;
+    if (end == run.words.size() || end - at > kNear) return false;
+    GridDelta delta{};
+    return steps::longest_line3(run.words, at, delta) > end - at;
+  }
+
+  /// Two axes, from step `begin` on until `end` or where a line of three
+  /// begins. Returns where that is.
+  std::size_t elements(const StepRun& run, std::size_t begin, std::size_t end) {
     codes_.clear();
-    for (const StepWord word : run.words) {
-      codes_.push_back(steps::kCodes[word & 15]);
+    for (std::size_t i = begin; i < end; ++i) {
+      codes_.push_back(steps::kCodes[run.words[i] & 15]);
     }
     find_points();
     steps::LineSearch lines(codes_, options_.method, kReach);
     std::size_t tried = 0;  // arcs are looked for where lines are short
     std::optional<steps::LaterArc> later;
     std::optional<Element> next;
-    for (std::size_t at = 0; at < codes_.size() && in_range_;) {
+    std::size_t at = 0;
+    while (at < codes_.size() && in_range_) {
+      if (climbs(run, begin + at, end)) break;
       if (later) tried = at;
       Element element =
           next && !later
@@ -172,13 +201,14 @@ class Reverser {
         element.count = count;
       }
       if (element.arc) {
-        put_arc(run, at, *element.arc);
+        put_arc(run, begin + at, *element.arc);
       } else {
-        put_line(run, at, at + element.count,
+        put_line(run, begin + at, begin + at + element.count,
                  {element.line.dx, element.line.dy, 0});
       }
       at += element.count;
     }
+    return begin + at;
   }
 
   /// A line, or an arc.
@@ -288,16 +318,6 @@ class Reverser {
     for (const Step code : codes_) {
       const Point d = step_delta(code);
       points_.push_back({points_.back().x + d.x, points_.back().y + d.y});
-    }
-  }
-
-  /// Three axes: lines of steps::Line3.
-  void lines3(const StepRun& run) {
-    for (std::size_t at = 0; at < run.words.size() && in_range_;) {
-      GridDelta delta{};
-      const std::size_t count = steps::longest_line3(run.words, at, delta);
-      put_line(run, at, at + count, delta);
-      at += count;
     }
   }
 
