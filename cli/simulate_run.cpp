@@ -163,6 +163,11 @@ Result<Drawing> contours_of(const Bitmap& ink) {
 }  // namespace
 
 Result<Page> as_steps(Page page, const SimulateOptions& options) {
+  if (page.kind == PageKind::program) {
+    return Error{ErrorCode::invalid_argument,
+                 "a program has no grid of its own; say how long a step is: "
+                 "--grid 0.1mm"};
+  }
   if (page.kind != PageKind::paths) return page;
   return to_steps(std::move(page), {1, Quantity::Unit::grid},
                   options.read.limits.max_steps);

@@ -116,6 +116,17 @@ class Simulate(unittest.TestCase):
                               "field"])
             self.assertIn(b"limit broken: the raster", self.run_it(*words).stdout)
 
+    def test_a_program_needs_a_grid(self):
+        self.drawing = self.path("part.ngc")
+        with open(self.drawing, "wb") as file:
+            file.write(b"G21 G90\nG0 X0 Y0\nG1 X3 F100\nG3 X3 Y2 J1\nM2\n")
+        done = self.run_it()
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"--grid", done.stderr)
+        done = self.run_it("--grid", "0.1mm")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(b"limits broken: none\n", done.stdout)
+
     def test_nothing_drawn_is_plotted(self):
         with open(self.drawing, "wb") as file:
             file.write(b"canvas 60 60 down\n")
