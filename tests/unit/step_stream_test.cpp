@@ -191,7 +191,9 @@ TEST(reversed_steps, of_polygons_and_circles_are_these) {
 /// A path of lines and of arcs of every radius, flat ones among them.
 std::string mixed_path(unsigned seed, int count) {
   std::mt19937 random(seed);
-  const auto share = [&random] { return (random() % 2000) / 1000.0 - 1; };
+  const auto share = [&random] {
+    return static_cast<double>(random() % 2000) / 1000 - 1;
+  };
   std::string text = "G21 G90 G91.1\nG0 X0 Y0\nG91\n";
   for (int i = 0; i < count; ++i) {
     const double x = std::round(1500 * share());
