@@ -25,6 +25,7 @@ constexpr const char* kExamples =
     "  unstep simulate part.svg --grid 0.1mm --speed 5 --plot path.svg\n"
     "  unstep simulate scan.png --exposure plate.png   and compared\n"
     "  unstep simulate scan.png --machine esu --exposure film.png\n"
+    "  unstep simulate plan.ustp --machine esu --direction write --plot p.svg\n"
     "\n"
     "docs/machines.md says what is modelled.\n";
 
@@ -59,8 +60,8 @@ std::string problem(const SimulateOptions& options) {
   if (options.machine != "zenit" && options.machine != "esu")
     return fmt::format("--machine: '{}' is neither zenit nor esu",
                        options.machine);
-  if (options.machine == "esu" && !options.plot.empty())
-    return "--plot is for zenit; esu follows no path";
+  if (options.write && options.machine != "esu")
+    return "--direction is for esu";
   const auto format = format_of_name(options.exposure);
   if (!options.exposure.empty() && !(format && raster_format(*format)))
     return "--exposure: the name's ending is not .pbm, .png or .tiff";
@@ -117,11 +118,22 @@ void add_simulate(CLI::App& app, Context& context) {
   verb->add_option("--machine", options->machine,
                    "zenit, a laser on a carriage, or esu, a scanner [zenit]")
       ->type_name("NAME");
+  verb->add_option_function<std::string>(
+          "--direction",
+          [options](const std::string& way) {
+            options->write = way == "write";
+          },
+          "esu: scan, the drawing is on the film, or write, it is exposed "
+          "[scan]")
+      ->check(CLI::IsMember({"scan", "write"}))
+      ->type_name("WAY");
   verb->add_option("--plot", options->plot,
-                   "zenit: commanded and followed path as an SVG file")
+                   "Commanded and followed path as an SVG file; of esu the "
+                   "contours of the drawing and of what was made")
       ->type_name("FILE");
-  verb->add_option("--exposure", options->exposure,
-                   "What was exposed or scanned, as a .png, .pbm or .tiff file")
+  verb->add_option(
+          "--exposure", options->exposure,
+          "What was exposed, written or scanned, as a .png, .pbm or .tiff file")
       ->type_name("FILE");
   verb->add_option("--speed", options->speed_mm,
                    "zenit: mm/s along the path, 0.02 to 100; more than 10 is "

@@ -68,8 +68,14 @@ std::string plot_svg(const Drawing& commanded, const Drawing& followed) {
   std::string red;
   for (const Chain& chain : commanded.chains)
     add_chain(chain, commanded.canvas.y_axis, frame, grey);
+  for (const Chain& chain : followed.chains)
+    add_chain(chain, followed.canvas.y_axis, frame, red);
   for (const Path& path : followed.paths)
     add_path(path, followed.scale, frame, red);
+  if (frame.left > frame.right) {
+    frame.take(0, 0);
+    frame.take(commanded.canvas.width, commanded.canvas.height);
+  }
   const std::int64_t width = frame.right - frame.left + 4;
   const std::int64_t height = frame.bottom - frame.top + 4;
   // With y up the picture is turned over.

@@ -87,6 +87,12 @@ std::vector<std::string> words_of(const BrokenLimits& broken) {
   return words;
 }
 
+void append_broken(const std::vector<std::string>& broken, std::string& text) {
+  if (broken.empty()) text += "limits broken: none\n";
+  for (const std::string& words : broken)
+    text += "limit broken: " + words + '\n';
+}
+
 /// Adds how far the ink that was made is from the drawing's.
 void compare_ink(const Bitmap& made, const Bitmap& drawn, Run& run) {
   if (made.width() != drawn.width() || made.height() != drawn.height()) return;
@@ -120,16 +126,48 @@ std::string to_text(const FollowReport& report, double unit_um) {
       report.seconds, report.lit_seconds, counted(report.steps, "step"),
       report.worst_um, report.worst_um / unit_um, report.rms_um,
       report.peak_steps_hz, report.peak_pulses_hz, report.top_speed_um / 1000);
-  const std::vector<std::string> broken = words_of(report.broken);
-  if (broken.empty()) text += "limits broken: none\n";
-  for (const std::string& words : broken)
-    text += "limit broken: " + words + '\n';
+  append_broken(words_of(report.broken), text);
   return text;
+}
+
+/// The machine's own: more of it is more than it should have.
+constexpr double kEsuInstability = 0.001;
+
+void report_esu(const machine::Film& film, const machine::BeamError& error,
+                const SimulateOptions& options, Run& run) {
+  const double seconds = machine::esu_seconds(film);
+  std::vector<std::string> broken;
+  if (options.noise > 1)
+    broken.push_back("the raster wanders by more than 0.1 % of the field");
+  run.json = {{"direction", options.write ? "write" : "scan"},
+              {"seconds", seconds},
+              {"points_per_second", machine::kEsuPointsPerSecond},
+              {"worst_um", error.worst_um},
+              {"rms_um", error.rms_um},
+              {"limits_broken", broken}};
+  run.text = fmt::format(
+      "time: {:.1f} s for {}\n"
+      "beam error: worst {:.2f} um, rms {:.2f} um\n"
+      "peaks: {:.0f} points/s\n",
+      seconds, counted(film.transmission.size(), "point"), error.worst_um,
+      error.rms_um, machine::kEsuPointsPerSecond);
+  append_broken(broken, run.text);
+}
+
+Result<Drawing> contours_of(const Bitmap& ink) {
+  Page page;
+  page.ink = ink;
+  return chains_of(page);
 }
 
 }  // namespace
 
 Result<Page> as_steps(Page page, const SimulateOptions& options) {
+  if (page.kind == PageKind::program) {
+    return Error{ErrorCode::invalid_argument,
+                 "a program has no grid of its own; say how long a step is: "
+                 "--grid 0.1mm"};
+  }
   if (page.kind != PageKind::paths) return page;
   return to_steps(std::move(page), {1, Quantity::Unit::grid},
                   options.read.limits.max_steps);
@@ -177,20 +215,28 @@ Result<Run> run_esu(const Page& page, const SimulateOptions& options,
   const Result<Bitmap> drawn = to_ink(page, options.read.limits, notes);
   if (!drawn) return drawn.error();
   machine::EsuOptions esu;
-  esu.instability = 0.001 * options.noise;
+  esu.instability = kEsuInstability * options.noise;
   esu.seed = static_cast<std::uint64_t>(options.seed);
-  const Result<machine::Film> film = machine::esu_scan(*drawn, esu);
+  const Result<machine::Film> film = options.write
+                                         ? machine::esu_write(*drawn, esu)
+                                         : machine::esu_scan(*drawn, esu);
   if (!film) return film.error();
-  Result<Bitmap> scanned = machine::film_ink(*film);
-  if (!scanned) return scanned.error();
+  const Result<machine::BeamError> error = machine::esu_beam_error(*drawn, esu);
+  if (!error) return error.error();
+  Result<Bitmap> made = machine::film_ink(*film);
+  if (!made) return made.error();
   Run run;
-  const double seconds = machine::esu_seconds(*film);
-  run.json["seconds"] = seconds;
-  run.json["points_per_second"] = machine::kEsuPointsPerSecond;
-  run.text = fmt::format("time: {:.1f} s for {}\n", seconds,
-                         counted(drawn->pixels(), "point"));
-  compare_ink(*scanned, *drawn, run);
-  run.exposure = *std::move(scanned);
+  report_esu(*film, *error, options, run);
+  compare_ink(*made, *drawn, run);
+  if (!options.plot.empty()) {
+    Result<Drawing> commanded = contours_of(*drawn);
+    if (!commanded) return commanded.error();
+    Result<Drawing> followed = contours_of(*made);
+    if (!followed) return followed.error();
+    run.commanded = *std::move(commanded);
+    run.followed = *std::move(followed);
+  }
+  run.exposure = *std::move(made);
   return run;
 }
 

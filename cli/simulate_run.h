@@ -18,6 +18,7 @@ namespace unstep::cli {
 struct SimulateOptions {
   std::string input;
   std::string machine = "zenit";
+  bool write = false;  ///< esu: writes instead of scanning
   std::string plot;
   std::string exposure;
   std::uint64_t page = 1;
@@ -36,7 +37,7 @@ struct Run {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   std::string text;
   std::optional<Drawing> commanded;
-  std::optional<Drawing> followed;
+  std::optional<Drawing> followed;  ///< paths of zenit, contours of esu
   std::optional<Bitmap> exposure;
 };
 
@@ -47,7 +48,7 @@ Result<Page> as_steps(Page page, const SimulateOptions& options);
 Result<Run> run_zenit(const Page& page, const SimulateOptions& options,
                       std::vector<std::string>& notes);
 
-/// Scans the page.
+/// Scans the page, or writes it on film.
 Result<Run> run_esu(const Page& page, const SimulateOptions& options,
                     std::vector<std::string>& notes);
 

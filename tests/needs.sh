@@ -10,6 +10,8 @@ needs_tests="libgtest-dev libgmock-dev python3 clang-format-14 poppler-utils"
 needs_clients="librsvg2-bin libxml2-utils hp2xx python3-ezdxf"
 # The decoder of firmware on a simulated controller, for the label firmware.
 needs_firmware="gcc-avr avr-libc libsimavr-dev libelf-dev"
+# Control software that reads our programs, for the label linuxcnc: large.
+needs_controls="linuxcnc-uspace bcnc"
 needs_demo="netpbm"
 
 # install_missing package...: does nothing if all are there. Needs root or

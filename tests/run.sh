@@ -6,7 +6,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 usage() {
   cat <<'END'
-usage: tests/run.sh [--preset NAME]... [--label REGEX] [--jobs N] [--no-install]
+usage: tests/run.sh [--preset NAME]... [--label REGEX] [--jobs N]
+                    [--controls | --no-install]
 
 Builds under build/ and runs the tests with ctest: under the sanitizers those
 that read foreign or damaged bytes (labels golden, corrupt, fuzz), then
@@ -16,6 +17,8 @@ own summary: of the last run, or of the first that failed.
   --preset NAME  only this preset of CMakePresets.json; may be repeated
   --label REGEX  only tests whose label matches; slow is run only so
   --jobs N       parallel compilations and tests (default: all cores)
+  --controls     install LinuxCNC and bCNC too, which the tests of the label
+                 linuxcnc skip without; several hundred MB
   --no-install   never call apt-get
 
 Exit code: 0 all passed, 1 something failed, 2 usage.
@@ -23,6 +26,7 @@ Exit code: 0 all passed, 1 something failed, 2 usage.
   tests/run.sh
   tests/run.sh --preset dev --label 'unit|cli'
   tests/run.sh --preset dev --label slow
+  tests/run.sh --controls --preset dev --label linuxcnc
   tests/run.sh --preset asan-ubsan --label unit
 END
 }
@@ -31,6 +35,7 @@ presets=()
 label=
 jobs=$(nproc)
 install=yes
+controls=no
 while [ $# -gt 0 ]; do
   case $1 in
     --preset | --label | --jobs)
@@ -41,6 +46,7 @@ while [ $# -gt 0 ]; do
         --jobs) jobs=$2 ;;
       esac
       shift 2 ;;
+    --controls) controls=yes; shift ;;
     --no-install) install=no; shift ;;
     --help | -h) usage; exit 0 ;;
     *) echo "run.sh: unknown option $1" >&2; usage >&2; exit 2 ;;
@@ -52,6 +58,14 @@ if [ $install = yes ]; then
   # Lists of words, from needs.sh.
   # shellcheck disable=SC2086,SC2154
   install_missing $needs_build $needs_tests $needs_clients $needs_firmware $needs_demo
+  # One by one: a system may have the one and not the other.
+  if [ $controls = yes ]; then
+    # shellcheck disable=SC2154
+    for package in $needs_controls; do
+      install_missing "$package" ||
+        echo "run.sh: $package cannot be installed; its tests are skipped" >&2
+    done
+  fi
 fi
 
 # The tests that run in a preset by default; all but slow in those not named.

@@ -49,14 +49,17 @@ Error not_known(const GcodeFlowWord& word) {
 Result<GcodePlace> GcodeFlow::run(const GcodeFlowWord& word, GcodePlace here,
                                   GcodePlace next,
                                   GcodeParameters& parameters) {
+  if (!defined_.empty()) return define(word, next, parameters);
   if (!word.known && word.key != Key::elseif) return not_known(word);
   switch (word.key) {
     case Key::unknown:
       return Error{ErrorCode::unsupported,
                    "an O word that is not one of LinuxCNC"};
     case Key::sub: {
-      const Result<Found> end = find(word, next, {Key::endsub});
-      return end ? Result<GcodePlace>(end->next) : end.error();
+      const Result<Found> end = find(word, next, {Key::back, Key::endsub});
+      if (!end) return end.error();
+      defined_ = word.label;
+      return end->here;
     }
     case Key::call: return enter(word, next, parameters);
     case Key::endsub:
@@ -102,7 +105,8 @@ Result<GcodePlace> GcodeFlow::run_loop(const GcodeFlowWord& word,
     open_.pop_back();
     return next;
   }
-  const double turns = std::round(word.numbers[0]);
+  // Halves to the even number, as LinuxCNC.
+  const double turns = std::nearbyint(word.numbers[0]);
   if (turns < 1) {
     const Result<Found> end = find(word, next, {Key::endrepeat});
     return end ? Result<GcodePlace>(end->next) : end.error();
@@ -209,8 +213,6 @@ Result<GcodePlace> GcodeFlow::enter(const GcodeFlowWord& word, GcodePlace next,
         "calls are nested more than " + std::to_string(kMaxCalls) + " deep"};
   }
   parameters.enter(word.numbers);
-  parameters.assign({true, 0, "_VALUE", true}, {0, true});
-  parameters.assign({true, 0, "_VALUE_RETURNED", true}, {0, true});
   calls_.push_back({word.label, next, open_.size()});
   return found->second;
 }
@@ -221,15 +223,34 @@ Result<GcodePlace> GcodeFlow::leave(const GcodeFlowWord& word,
     return without(word, "a call of it");
   }
   parameters.leave();
-  const bool returns = !word.numbers.empty();
-  parameters.assign({true, 0, "_VALUE", true},
-                    {returns ? word.numbers[0] : 0, true});
-  parameters.assign({true, 0, "_VALUE_RETURNED", true},
-                    {returns ? 1.0 : 0.0, true});
+  set_value(word, parameters);
   const GcodePlace back = calls_.back().back;
   open_.resize(calls_.back().open);
   calls_.pop_back();
   return back;
+}
+
+/// Of a subroutine that is only defined LinuxCNC evaluates what its lines of
+/// return and endsub say.
+Result<GcodePlace> GcodeFlow::define(const GcodeFlowWord& word, GcodePlace next,
+                                     GcodeParameters& parameters) {
+  set_value(word, parameters);
+  if (word.key == Key::endsub) {
+    defined_.clear();
+    return next;
+  }
+  const Result<Found> end = find(word, next, {Key::back, Key::endsub});
+  return end ? Result<GcodePlace>(end->here) : end.error();
+}
+
+/// What endsub and return say; 0 if nothing.
+void GcodeFlow::set_value(const GcodeFlowWord& word,
+                          GcodeParameters& parameters) {
+  const bool returns = !word.numbers.empty();
+  parameters.assign({true, 0, "_VALUE", true},
+                    {returns ? word.numbers[0] : 0, !returns || word.known});
+  parameters.assign({true, 0, "_VALUE_RETURNED", true},
+                    {returns ? 1.0 : 0.0, true});
 }
 
 void GcodeFlow::find_subs() {
@@ -237,7 +258,9 @@ void GcodeFlow::find_subs() {
   visit_flow_lines(
       text_, {},
       [this](const GcodeFlowWord& word, GcodePlace, GcodePlace next) {
-        if (word.key == Key::sub) subs_.emplace(word.label, next);
+        if (word.key == Key::sub && word.label_known) {
+          subs_.emplace(word.label, next);
+        }
         return true;
       });
 }
@@ -249,15 +272,23 @@ Result<GcodeFlow::Found> GcodeFlow::find(const GcodeFlowWord& word,
   const auto known = found_.find({from.at, purpose});
   if (known != found_.end()) return known->second;
   bool is_found = false;
+  bool may_be = false;  // a label that depends on parameters
   Found found;
   visit_flow_lines(
       text_, from,
       [&](const GcodeFlowWord& other, GcodePlace here, GcodePlace next) {
-        is_found = (purpose >> static_cast<unsigned>(other.key) & 1) != 0 &&
-                   other.label == word.label;
+        const bool wanted =
+            (purpose >> static_cast<unsigned>(other.key) & 1) != 0;
+        may_be = wanted && !other.label_known;
+        is_found = wanted && other.label == word.label && !may_be;
         if (is_found) found = {here, next};
-        return !is_found;
+        return !is_found && !may_be;
       });
+  if (may_be) {
+    return Error{ErrorCode::unsupported,
+                 "a label of " + std::string(flow_key_name(*(keys.end() - 1))) +
+                     " that depends on parameters"};
+  }
   if (!is_found) return without(word, flow_key_name(*(keys.end() - 1)));
   found_.emplace(std::pair(from.at, purpose), found);
   return found;

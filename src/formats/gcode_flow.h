@@ -73,6 +73,9 @@ class GcodeFlow {
                            GcodeParameters& parameters);
   Result<GcodePlace> leave(const GcodeFlowWord& word,
                            GcodeParameters& parameters);
+  Result<GcodePlace> define(const GcodeFlowWord& word, GcodePlace next,
+                            GcodeParameters& parameters);
+  static void set_value(const GcodeFlowWord& word, GcodeParameters& parameters);
   Result<Found> find_end(const Open& open, GcodePlace from);
   Result<Found> find(const GcodeFlowWord& word, GcodePlace from, Keys keys);
   void find_subs();
@@ -85,6 +88,7 @@ class GcodeFlow {
   std::string_view text_;
   std::vector<Open> open_;
   std::vector<Call> calls_;
+  std::string defined_;  ///< the subroutine whose lines are passed over
   bool subs_found_ = false;
   std::map<std::string, GcodePlace> subs_;  ///< where their bodies begin
   /// By the place a search begins at and what it is for.

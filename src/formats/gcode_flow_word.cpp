@@ -108,6 +108,14 @@ GcodeFlowWord find_flow_word(std::string_view line) {
   }
   if (letter() != 'o') return word;
   at = skip_blanks_of(line, at + 1);
+  if (at < line.size() && (line[at] == '[' || line[at] == '#')) {
+    GcodeBlock block;
+    if (GcodeLineReader(true).read(line, block) &&
+        block.kind == GcodeBlock::Kind::o_flow) {
+      word = block.flow;
+    }
+    return word;
+  }
   const std::size_t size = read_flow_label(line.substr(at), word.label);
   if (size > 0) read_flow_key(line.substr(at + size), word.key);
   return word;
@@ -143,6 +151,7 @@ bool GcodeLineReader::read_o_word(GcodeBlock& block) {
 /// Label, word and numbers, then the end or a comment.
 bool GcodeLineReader::read_flow(GcodeFlowWord& word) {
   word.known = true;
+  word.label_known = true;
   word.numbers.clear();
   const std::size_t size = read_flow_label(line_.substr(at_), word.label);
   at_ += size;
@@ -151,6 +160,7 @@ bool GcodeLineReader::read_flow(GcodeFlowWord& word) {
     if (peek() == '<') return fail("a name after O is not closed");
     if (!read_operand(label, 0)) return false;
     word.known = label.known && std::abs(label.value) < 1e9;
+    word.label_known = word.known;
     word.label = std::to_string(std::lround(word.known ? label.value : 0));
   }
   at_ += read_flow_key(line_.substr(at_), word.key);

@@ -31,6 +31,7 @@ enum class GcodeFlowKey : std::uint8_t {
 struct GcodeFlowWord {
   GcodeFlowKey key = GcodeFlowKey::unknown;
   std::string label;  ///< "100", or "<NAME"
+  bool label_known = true;
   /// Whether the label and the numbers follow from the program alone.
   bool known = true;
   std::vector<double> numbers;  ///< of a condition, a count, or arguments
@@ -43,8 +44,9 @@ std::size_t read_flow_label(std::string_view text, std::string& label);
 /// The letters after it, blanks among them. Bytes read.
 std::size_t read_flow_key(std::string_view text, GcodeFlowKey& key);
 
-/// The word of a line, without its numbers; unknown where the line has none or
-/// its label is an expression. Only what begins the line is looked at.
+/// The word of a line, its numbers not evaluated; unknown where the line has
+/// none or cannot be read. An expression for a label is known if it has no
+/// parameters.
 GcodeFlowWord find_flow_word(std::string_view line);
 
 /// As it is written: "endwhile".

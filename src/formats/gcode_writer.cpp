@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -242,15 +243,20 @@ class Writer {
     return options_.decimals >= 0 || options_.inches.has_value();
   }
 
-  /// As given, or of the circle in the middle between start and end.
+  /// As given, or of the circle in the middle between start and end; below 0
+  /// for more than a half turn.
   [[nodiscard]] static std::int64_t radius_of(
       const ProgramItem& item, const ProgramPosition& start,
       const std::array<std::size_t, 3>& plane) {
     if (item.radius != 0) return item.radius;
     const PlanePoint from{start[plane[0]], start[plane[1]]};
     const PlanePoint to{item.end[plane[0]], item.end[plane[1]]};
-    return std::llround(
+    const std::int64_t radius = std::llround(
         (distance(from, item.centre) + distance(to, item.centre)) / 2);
+    const bool counter = item.kind == Kind::counter;
+    const bool large =
+        arc_sweep(from, to, item.centre, counter) > std::numbers::pi;
+    return large ? -radius : radius;
   }
 
   /// Program units to the unit in force, 1e-7 of it, with all decimals.
@@ -304,7 +310,7 @@ Result<std::string> write_gcode(const Program& program,
                                 const GcodeWriteOptions& options) {
   if (options.arcs != ArcForm::radius) return Writer(program, options).write();
   ArcRules rules;
-  rules.max_sweep_degrees = 170;
+  rules.by_radius = true;
   const Result<Program> split = split_arcs(program, rules);
   if (!split) return split.error();
   return Writer(*split, options).write();

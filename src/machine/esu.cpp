@@ -255,6 +255,31 @@ Result<Film> esu_write(const Bitmap& drawing, const EsuOptions& options) {
   return exposure.develop();
 }
 
+Result<BeamError> esu_beam_error(const Bitmap& drawing,
+                                 const EsuOptions& options) {
+  if (const Status status = check(drawing, options); !status)
+    return status.error();
+  Deflection deflection(options);
+  double worst = 0;
+  double sum = 0;
+  std::size_t point = 0;
+  for (std::int32_t y = 0; y < drawing.height(); ++y) {
+    deflection.begin_line(static_cast<double>(point) / kEsuPointsPerSecond);
+    for (std::int32_t x = 0; x < drawing.width(); ++x, ++point) {
+      if (!drawing.get(x, y)) continue;
+      const Offset offset =
+          deflection.at(static_cast<double>(point) / kEsuPointsPerSecond);
+      const double square = offset.x * offset.x + offset.y * offset.y;
+      worst = std::max(worst, square);
+      sum += square;
+    }
+  }
+  if (sum == 0) return BeamError{};
+  const double mean = sum / static_cast<double>(drawing.ink());
+  return BeamError{std::sqrt(worst) * options.pitch_um,
+                   std::sqrt(mean) * options.pitch_um};
+}
+
 Result<Bitmap> film_ink(const Film& film, int threshold) {
   if (threshold < 1 || threshold > kEsuClear)
     return Error{

@@ -47,6 +47,16 @@ Result<Film> esu_scan(const Bitmap& drawing, const EsuOptions& options = {});
 /// exposure is opaque. Errors as above; 5 bytes a point.
 Result<Film> esu_write(const Bitmap& drawing, const EsuOptions& options = {});
 
+/// How far the beam is from the points of the ink.
+struct BeamError {
+  double worst_um = 0;
+  double rms_um = 0;
+};
+
+/// Of a scan or a writing with these options; 0 without ink. Errors as above.
+Result<BeamError> esu_beam_error(const Bitmap& drawing,
+                                 const EsuOptions& options = {});
+
 /// Ink where the transmission is below `threshold`, 1..127; out_of_range for
 /// another or an empty film. The usual one keeps a line of one point wherever
 /// it falls between two points, where it is half as dark.

@@ -155,20 +155,29 @@ std::optional<FittedArc> round_radius(const Polyline& run, std::size_t first,
                                       std::size_t last, const ChordFrame& frame,
                                       double height, bool clockwise,
                                       const ArcFitOptions& options) {
-  // The centre is beyond the chord: at most a half turn.
-  if ((height > 0) == clockwise && height != 0) return std::nullopt;
+  // More than a half turn has its centre on the other side of the chord, and
+  // a radius below 0.
+  const bool large = (height > 0) == clockwise && height != 0;
   const double g = options.grid;
   const double radius = std::round(std::hypot(frame.half, height) / g) * g;
   const double square = (radius - frame.half) * (radius + frame.half);
   if (square <= 0) return std::nullopt;
-  const double h = clockwise ? -std::sqrt(square) : std::sqrt(square);
+  const double h = clockwise == large ? std::sqrt(square) : -std::sqrt(square);
   const FittedArc arc{frame.x - h * frame.uy, frame.y + h * frame.ux, clockwise,
-                      radius};
+                      large ? -radius : radius};
   if (!arc_fits(run, first, last, arc, options)) return std::nullopt;
   return arc;
 }
 
+constexpr double kMostSmallSweep = 170;
+constexpr double kLeastLargeSweep = 190;
+
 }  // namespace
+
+bool radius_says(double degrees) {
+  return degrees <= kMostSmallSweep ||
+         (degrees >= kLeastLargeSweep && degrees <= kMostRadiusSweep);
+}
 
 bool radii_agree(double first, double last, const ArcRules& rules) {
   const double apart = std::abs(first - last);
@@ -241,15 +250,32 @@ bool arc_fits(const Polyline& run, std::size_t first, std::size_t last,
   const double side = (sx * ey - sy * ex) * turn;
   const double ahead = sx * ex + sy * ey;
   if (ahead > 0 && (side <= 0) != second_half) return false;
-  const double most = options.rules.by_radius
-                          ? std::min(170.0, options.rules.max_sweep_degrees)
-                          : options.rules.max_sweep_degrees;
-  if (most < 360) {
+  const double most = options.rules.max_sweep_degrees;
+  if (most < 360 || options.rules.by_radius) {
     double sweep = std::atan2(side, ahead) * 180 / std::numbers::pi;
     if (sweep <= 0) sweep += 360;
     if (sweep > most) return false;
+    if (options.rules.by_radius) return radius_says(sweep);
   }
   return true;
+}
+
+std::optional<std::size_t> beyond_half_turn(const Polyline& run,
+                                            std::size_t first, std::size_t last,
+                                            const FittedArc& arc) {
+  double turned = 0;
+  const double turn = arc.clockwise ? -1 : 1;
+  for (std::size_t i = first + 1; i < run.size(); ++i) {
+    const double px = run.vertex[i - 1].x - arc.x;
+    const double py = run.vertex[i - 1].y - arc.y;
+    const double x = run.vertex[i].x - arc.x;
+    const double y = run.vertex[i].y - arc.y;
+    const double step = std::atan2((px * y - py * x) * turn, px * x + py * y);
+    if (step < 0 && i > last) return std::nullopt;
+    turned += step * 180 / std::numbers::pi;
+    if (i > last && turned > kLeastLargeSweep + 1) return i;
+  }
+  return std::nullopt;
 }
 
 std::optional<FittedArc> fit_arc(const Polyline& run, std::size_t first,

@@ -14,7 +14,8 @@ struct FittedArc {
   double x = 0;
   double y = 0;
   bool clockwise = false;
-  double radius = 0;  ///< if the rules want it, else 0
+  /// If the rules want it, else 0; below 0: of more than a half turn.
+  double radius = 0;
 };
 
 struct ArcFitOptions {
@@ -36,6 +37,20 @@ struct ArcFitOptions {
 [[nodiscard]] bool arc_fits(const Polyline& run, std::size_t first,
                             std::size_t last, const FittedArc& arc,
                             const ArcFitOptions& options);
+
+/// Arcs of more degrees would have ends too near to each other for R.
+inline constexpr double kMostRadiusSweep = 340;
+
+/// True if R says where the centre of an arc of so many degrees is: near a half
+/// turn and a full one it depends on the last digits of the ends.
+[[nodiscard]] bool radius_says(double degrees);
+
+/// The first vertex after `last` that the run reaches by more than the half
+/// turn that R does not say, if it goes on around the centre of `arc`.
+[[nodiscard]] std::optional<std::size_t> beyond_half_turn(const Polyline& run,
+                                                          std::size_t first,
+                                                          std::size_t last,
+                                                          const FittedArc& arc);
 
 /// True if controls accept these radii at the start and the end of an arc.
 [[nodiscard]] bool radii_agree(double first, double last,

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "program/arc_fit.h"
 #include "program/arc_geometry.h"
 #include "unstep/program.h"
 
@@ -15,6 +16,12 @@ constexpr std::int64_t kGrid = kProgramUnitsPerMm / 10'000;
 
 std::int64_t rounded(double value) {
   return std::llround(value / static_cast<double>(kGrid)) * kGrid;
+}
+
+/// What R does not say is cut in two that it does: near a half turn in the
+/// middle, near a full one into 194 to 205 degrees and the rest.
+double first_part(double degrees) {
+  return degrees > kMostRadiusSweep ? 0.57 : 0.5;
 }
 
 /// Where the arc is cut, as shares of its sweep between 0 and 1.
@@ -39,8 +46,13 @@ std::vector<double> cuts(double from, double sweep, bool counter,
   for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
     const double part = (shares[i + 1] - shares[i]) * sweep;
     const double pieces = std::max(1.0, std::ceil(part / most - 1e-9));
+    const double piece = part / pieces * 180 / std::numbers::pi;
     for (double k = 0; k < pieces; ++k) {
-      all.push_back(shares[i] + (shares[i + 1] - shares[i]) * k / pieces);
+      const double share = (shares[i + 1] - shares[i]) / pieces;
+      all.push_back(shares[i] + share * k);
+      if (rules.by_radius && !radius_says(piece)) {
+        all.push_back(all.back() + share * first_part(piece));
+      }
     }
   }
   all.push_back(1);
@@ -95,13 +107,17 @@ class Split {
                             radius * std::cos(angle));
       to[axes[1]] = rounded(static_cast<double>(item.centre[1]) +
                             radius * std::sin(angle));
-      add_piece(item, to);
+      add_piece(item, to, sweep * (share - shares[i - 1]));
     }
-    add_piece(item, last);
+    add_piece(item, last, sweep * (1 - shares[shares.size() - 2]));
   }
 
-  void add_piece(const ProgramItem& whole, const ProgramPosition& to) {
+  /// `sweep` in radians.
+  void add_piece(const ProgramItem& whole, const ProgramPosition& to,
+                 double sweep) {
     ProgramItem piece = whole;
+    piece.radius = std::abs(piece.radius);
+    if (sweep > std::numbers::pi) piece.radius = -piece.radius;
     std::copy_n(to.begin(), 3, piece.end.begin());
     ProgramOtherAxes others{};
     std::copy_n(to.begin() + 3, others.size(), others.begin());
@@ -109,8 +125,6 @@ class Split {
       out_.others.push_back(others);
       piece.others = static_cast<std::uint32_t>(out_.others.size() - 1);
     }
-    // A radius below 0 is of the whole.
-    if (piece.radius < 0) piece.radius = -piece.radius;
     out_.items.push_back(piece);
   }
 

@@ -54,7 +54,16 @@ class Cover {
       first = std::min(end, line + (line - at) / 2 + 1);
       if (!fits(first)) return;
     }
-    const std::size_t last = gallop(first, end, fits);
+    std::size_t last = gallop(first, end, fits);
+    if (options_.arc.rules.by_radius && last < end) {
+      const FittedArc small = best;
+      const auto large = beyond_half_turn(run_, at, last, small);
+      if (large && fits(*large)) {
+        last = gallop(*large, end, fits);
+      } else {
+        best = small;
+      }
+    }
     if (lines_for(at, last) <= options_.arc_cost) return;
     // `best` is of the last that fitted, which is what was found.
     piece = {last, true, best};

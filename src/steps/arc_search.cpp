@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "interpolate/arc_steps.h"
+#include "steps/arc_rule.h"
 
 namespace unstep::steps {
 
@@ -49,25 +50,9 @@ bool ArcSearch::draws(Point centre, bool clockwise, std::size_t count) const {
   return matched({centre, point(count), clockwise}, whole) == count && whole;
 }
 
-std::int64_t ArcSearch::off_circle(Point centre, Point end) {
-  const std::int64_t x = std::int64_t{end.x} - centre.x;
-  const std::int64_t y = std::int64_t{end.y} - centre.y;
-  const std::int64_t cx = centre.x;
-  const std::int64_t cy = centre.y;
-  return x * x + y * y - cx * cx - cy * cy;
-}
-
-/// As the strictest of the controls wants it (ArcRules).
-bool ArcSearch::radii_agree(Point centre, Point end) const {
-  const double radius = std::hypot(centre.x, centre.y);
-  const double off =
-      std::abs(static_cast<double>(off_circle(centre, end))) / (2 * radius);
-  return off * step_mm_ <=
-         std::max(0.0009, std::min(0.1, 7e-4 * radius * step_mm_));
-}
-
 bool ArcSearch::is_end(Point centre, bool clockwise, std::size_t count) const {
-  return radii_agree(centre, point(count)) && draws(centre, clockwise, count);
+  return control_takes(centre, point(count), step_mm_) &&
+         draws(centre, clockwise, count);
 }
 
 void ArcSearch::try_centre(Point centre, bool clockwise) {

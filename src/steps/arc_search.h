@@ -34,8 +34,6 @@ class ArcSearch {
   /// control takes it.
   [[nodiscard]] bool is_end(Point centre, bool clockwise,
                             std::size_t count) const;
-  /// How much farther the end is from the centre than the start, squared.
-  [[nodiscard]] static std::int64_t off_circle(Point centre, Point end);
   /// Relative to the start.
   [[nodiscard]] Point point(std::size_t i) const {
     return {points_[i].x - points_[0].x, points_[i].y - points_[0].y};
@@ -45,7 +43,6 @@ class ArcSearch {
   [[nodiscard]] std::size_t matched(const Arc& arc, bool& whole) const;
   [[nodiscard]] bool draws(Point centre, bool clockwise,
                            std::size_t count) const;
-  [[nodiscard]] bool radii_agree(Point centre, Point end) const;
   [[nodiscard]] std::size_t before_tangent(Point centre, bool clockwise,
                                            std::size_t count) const;
 

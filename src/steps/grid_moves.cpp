@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <string>
+#include <utility>
 
 #include "interpolate/arc_walk.h"
 #include "program/arc_geometry.h"
 #include "program/moves.h"
+#include "steps/arc_rule.h"
 
 namespace unstep::steps {
 namespace {
@@ -108,18 +111,17 @@ class Gridder {
   }
 
   Status add_arc(const ProgramMove& move) {
-    if (options_.axes == 2 && move.plane == ProgramPlane::xy) {
-      GridPoint end{};
-      if (Status done = round(move.end, end); !done) return done;
-      std::array<std::int32_t, 2> centre{};
-      for (std::size_t i = 0; i < 2; ++i) {
-        if (Status done = round(move.centre[i], centre[i]); !done) return done;
-      }
-      const Arc arc{{centre[0] - at_[0], centre[1] - at_[1]},
-                    {end[0] - at_[0], end[1] - at_[1]},
-                    move.kind == Kind::clockwise};
-      const bool full =
+    GridPoint end{};
+    if (Status done = round(move.end, end); !done) return done;
+    if (move.plane == ProgramPlane::xy && end[2] == at_[2]) {
+      Arc arc{
+          {}, {end[0] - at_[0], end[1] - at_[1]}, move.kind == Kind::clockwise};
+      // Ends that are one on the grid: all of the circle, or nothing of it.
+      const bool closed =
           move.start[0] == move.end[0] && move.start[1] == move.end[1];
+      const bool full = arc.end == Point{} &&
+                        (closed || ProgramArc(move).sweep() > std::numbers::pi);
+      if (Status done = find_centre(move, full, arc); !done) return done;
       if ((full || arc.end != Point{}) && arc.centre != Point{} &&
           interpolation::check_arc(arc)) {
         GridMove out;
@@ -138,6 +140,44 @@ class Gridder {
       }
     }
     return add_chords(move);
+  }
+
+  /// The whole-numbered centre nearest to that of the move, or another near it
+  /// if only that makes the radii at both ends agree to less than a step and as
+  /// controls want it: both ends have been rounded.
+  Status find_centre(const ProgramMove& move, bool full, Arc& arc) const {
+    std::array<std::int32_t, 2> nearest{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (Status done = round(move.centre[i], nearest[i]); !done) return done;
+    }
+    arc.centre = {nearest[0] - at_[0], nearest[1] - at_[1]};
+    if (full) return {};
+    const auto is_taken = [&](Point centre) {
+      return centre != Point{} && control_takes(centre, arc.end, in_mm(1)) &&
+             interpolation::check_arc({centre, arc.end, arc.clockwise});
+    };
+    if (is_taken(arc.centre)) return {};
+    constexpr double kFarthest = 1.25;
+    const Point first = arc.centre;
+    const double x = static_cast<double>(move.centre[0]) * per_unit_ - at_[0];
+    const double y = static_cast<double>(move.centre[1]) * per_unit_ - at_[1];
+    // Those that a control takes come first, and of these the nearest.
+    std::pair<double, double> best{1e300, 1e300};
+    for (std::int32_t dy = -1; dy <= 1; ++dy) {
+      for (std::int32_t dx = -1; dx <= 1; ++dx) {
+        const Point centre{first.x + dx, first.y + dy};
+        const double away = std::hypot(centre.x - x, centre.y - y);
+        if (centre == Point{} || (away > kFarthest && centre != first)) {
+          continue;
+        }
+        const double off = std::abs(radius_change(centre, arc.end));
+        const std::pair<double, double> rank{is_taken(centre) ? -1 : off, away};
+        if (rank >= best) continue;
+        best = rank;
+        arc.centre = centre;
+      }
+    }
+    return {};
   }
 
   /// Chords of at most half a step, for what has no arc on the grid.

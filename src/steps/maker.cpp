@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <new>
 #include <string>
@@ -9,6 +8,7 @@
 #include "interpolate/letters.h"
 #include "steps/grid_moves.h"
 #include "steps/line3.h"
+#include "steps/step_times.h"
 #include "steps/timing.h"
 #include "steps/words.h"
 
@@ -18,9 +18,10 @@ namespace {
 
 using steps::GridMove;
 
-/// Pulses of a part of a run, and of lines that are drawn together.
-constexpr std::size_t kPart = std::size_t{1} << 20;
-constexpr std::size_t kBatch = std::size_t{1} << 16;
+/// Pulses of a part of a run, few enough that they and their waits stay in the
+/// cache until they are written, and of lines that are drawn together.
+constexpr std::size_t kPart = std::size_t{1} << 16;
+constexpr std::size_t kBatch = std::size_t{1} << 13;
 
 bool counts_steps(Method method) {
   return method == Method::evaluation8 || method == Method::evaluation ||
@@ -30,7 +31,11 @@ bool counts_steps(Method method) {
 class Maker {
  public:
   Maker(const StepMakeOptions& options, const StepSink& sink)
-      : options_(options), sink_(sink), left_(options.max_steps) {}
+      : options_(options),
+        // What does not move z is drawn as of 2 axes, by one method.
+        method_(options.axes == 3 ? Method::evaluation8 : options.method),
+        sink_(sink),
+        left_(options.max_steps) {}
 
   Status run(const std::vector<GridMove>& moves) {
     std::vector<steps::MoveSpeed> speeds;
@@ -38,37 +43,41 @@ class Maker {
     for (std::size_t i = 0; i < moves.size(); ++i) {
       const GridMove& move = moves[i];
       if (move.rapid != run_.rapid) {
-        if (Status done = flush(); !done) return done;
+        if (Status done = flush(true); !done) return done;
         run_.rapid = move.rapid;
       }
-      const std::size_t before = run_.words.size();
       Status done = draw(move);
-      if (done && options_.timed) done = time(move, speeds[i], before);
-      if (done && run_.words.size() >= kPart) done = flush();
+      if (done && options_.timed) done = time(move, speeds[i]);
+      if (done && run_.words.size() >= kPart) done = flush(false);
       if (!done) return done;
     }
-    return flush();
+    return flush(true);
   }
 
  private:
-  Status flush() {
+  /// Hands on the pulses of the run in parts, so that what a part is does not
+  /// depend on where motions end. What is less than one waits if more may come.
+  Status flush(bool whole) {
     if (Status done = draw_lines(); !done) return done;
-    for (std::size_t at = 0; at < run_.words.size(); at += kPart) {
-      if (run_.words.size() <= kPart) {
-        if (Status done = sink_(run_); !done) return done;
-        break;
-      }
+    std::size_t at = 0;
+    while (run_.words.size() - at >= (whole ? 1 : kPart)) {
       const std::size_t end = std::min(at + kPart, run_.words.size());
-      const auto cut = [at, end](const auto& all) {
-        return std::vector(all.begin() + static_cast<std::ptrdiff_t>(at),
-                           all.begin() + static_cast<std::ptrdiff_t>(end));
+      const auto cut = [at, end](const auto& all, auto& out) {
+        const auto begin = all.begin();
+        out.assign(begin + static_cast<std::ptrdiff_t>(at),
+                   begin + static_cast<std::ptrdiff_t>(end));
       };
-      StepRun part{run_.rapid, cut(run_.words), {}};
-      if (options_.timed) part.waits = cut(run_.waits);
-      if (Status done = sink_(part); !done) return done;
+      part_.rapid = run_.rapid;
+      cut(run_.words, part_.words);
+      if (options_.timed) cut(run_.waits, part_.waits);
+      if (Status done = sink_(part_); !done) return done;
+      at = end;
     }
-    run_.words.clear();
-    run_.waits.clear();
+    const auto drop = [at](auto& all) {
+      all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(at));
+    };
+    drop(run_.words);
+    if (options_.timed) drop(run_.waits);
     return {};
   }
 
@@ -81,22 +90,22 @@ class Maker {
   }
 
   Status draw(const GridMove& move) {
-    if (options_.axes == 3) return draw_line3(move);
+    if (move.delta[2] != 0) return draw_line3(move);
     if (move.is_arc) {
       if (Status done = draw_lines(); !done) return done;
       return draw_arc(move.arc);
     }
     const Segment line{move.delta[0], move.delta[1]};
-    if (!counts_steps(options_.method)) {
+    if (!counts_steps(method_)) {
       Result<Interpolator> drawn =
-          Interpolator::line(options_.method, line, options_.interpolator);
+          Interpolator::line(method_, line, options_.interpolator);
       return drawn ? walk(*drawn) : drawn.error();
     }
-    const std::uint64_t count = step_count(options_.method, line);
+    const std::uint64_t count = step_count(method_, line);
     if (Status done = take(count); !done) return done;
     lines_.push_back(line);
     pending_ += static_cast<std::size_t>(count);
-    return options_.timed || pending_ >= kBatch ? draw_lines() : Status();
+    return pending_ >= kBatch ? draw_lines() : Status();
   }
 
   /// The lines that wait, together.
@@ -105,13 +114,13 @@ class Maker {
     const std::size_t before = run_.words.size();
     run_.words.resize(before + pending_);
     const std::span<Step> out = std::span(run_.words).subspan(before);
-    if (interpolation::draws_in_bulk(options_.method)) {
-      const Result<std::size_t> drawn = interpolation::draw_lines(
-          options_.method, lines_, out, steps::kWords);
+    if (interpolation::draws_in_bulk(method_)) {
+      const Result<std::size_t> drawn =
+          interpolation::draw_lines(method_, lines_, out, steps::kWords);
       if (!drawn) return drawn.error();
     } else {
       const Result<std::size_t> drawn =
-          interpolate(options_.method, lines_, out, options_.interpolator);
+          interpolate(method_, lines_, out, options_.interpolator);
       if (!drawn) return drawn.error();
       for (Step& step : out) step = steps::kWords[step & 7];
     }
@@ -124,8 +133,8 @@ class Maker {
     const Result<interpolation::ArcGeometry> checked =
         interpolation::check_arc(arc);
     if (!checked) return checked.error();
-    interpolation::ArcSteps drawn(
-        *checked, options_.method == Method::evaluation8, steps::kWords);
+    interpolation::ArcSteps drawn(*checked, method_ == Method::evaluation8,
+                                  steps::kWords);
     // Short arcs are not made to clear much memory.
     for (std::size_t part = 256;; part = std::min(2 * part, kBatch)) {
       const std::size_t before = run_.words.size();
@@ -151,6 +160,7 @@ class Maker {
   }
 
   Status draw_line3(const GridMove& move) {
+    if (Status done = draw_lines(); !done) return done;
     steps::Line3 line(move.delta);
     if (Status done = take(line.count()); !done) return done;
     for (std::uint32_t i = 0; i < line.count(); ++i) {
@@ -159,46 +169,30 @@ class Maker {
     return {};
   }
 
-  /// Waits of the words that the move has made.
-  Status time(const GridMove& move, const steps::MoveSpeed& speed,
-              std::size_t before) {
-    const std::size_t count = run_.words.size() - before;
-    const auto all = static_cast<double>(count);
-    const double clock = options_.timing.clock;
-    const steps::MoveClock moved(speed, move.length,
-                                 options_.timing.acceleration);
+  /// Waits of the steps that the move makes.
+  Status time(const GridMove& move, const steps::MoveSpeed& speed) {
+    const std::size_t before = run_.waits.size();
+    const std::size_t count = run_.words.size() + pending_ - before;
+    if (count == 0) return {};
+    const steps::StepTimes times(speed, move.length,
+                                 options_.timing.acceleration,
+                                 options_.timing.clock, count);
     run_.waits.resize(before + count);
-    double ticks = 0;
-    for (std::size_t i = 1; i <= count; ++i) {
-      const double way = move.length * static_cast<double>(i) / all;
-      ticks = clock * moved.at(way);
-      // What rounding leaves goes into the next wait.
-      const double wait = move_begin_ + ticks - clock_at_;
-      if (!(wait < 4294967296.0)) {
-        return Error{ErrorCode::out_of_range,
-                     "a step takes longer than 2^32 ticks of the clock"};
-      }
-      const auto whole =
-          std::max<std::int64_t>(1, static_cast<std::int64_t>(wait));
-      run_.waits[before + i - 1] = static_cast<std::uint32_t>(whole);
-      clock_at_ += static_cast<double>(whole);
-    }
-    move_begin_ += ticks;
-    // Numbers that stay small keep their precision.
-    const double whole = std::floor(std::min(move_begin_, clock_at_));
-    move_begin_ -= whole;
-    clock_at_ -= whole;
-    return {};
+    if (waits_.make(times, std::span(run_.waits).subspan(before))) return {};
+    return Error{ErrorCode::out_of_range,
+                 "a step takes longer than 2^32 ticks of the clock, or a "
+                 "motion longer than 2^50"};
   }
 
   const StepMakeOptions& options_;
+  Method method_;
   const StepSink& sink_;
   std::uint64_t left_;
   StepRun run_;
+  StepRun part_;  ///< of it, as it is handed on
   std::vector<Segment> lines_;
   std::size_t pending_ = 0;  ///< steps of lines_
-  double move_begin_ = 0;    ///< ticks, since some whole number of them
-  double clock_at_ = 0;      ///< of the last step
+  steps::WaitMaker waits_;
 };
 
 Status check(const StepMakeOptions& options) {

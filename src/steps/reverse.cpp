@@ -34,6 +34,7 @@ class Reverser {
   Reverser(const StepStream& stream, const StepReverseOptions& options)
       : head_(stream.head), options_(options) {
     move(head_.origin);
+    if (head_.axes == 3) options_.method = Method::evaluation8;
   }
 
   Result<std::string> reverse(const StepStream& stream) {
@@ -51,11 +52,7 @@ class Reverser {
         text_ += '\n';
       }
       first = false;
-      if (head_.axes == 3) {
-        lines3(run);
-      } else {
-        elements(run);
-      }
+      spaces(run);
       if (!in_range_) {
         return Error{ErrorCode::out_of_range,
                      "the steps leave the range of 2^30 steps or 100 km"};
@@ -138,37 +135,80 @@ class Reverser {
     feed(run, begin, begin + found.steps, radius * turn);
   }
 
-  /// Two axes.
-  void elements(const StepRun& run) {
+  /// Whether z steps.
+  static bool leaves_plane(StepWord word) { return (word & 0x30) != 0; }
+
+  /// Lines of three axes, and elements of two where z rests.
+  void spaces(const StepRun& run) {
+    const auto& words = run.words;
+    for (std::size_t at = 0; at < words.size() && in_range_;) {
+      const auto end = static_cast<std::size_t>(
+          std::find_if(words.begin() + static_cast<std::ptrdiff_t>(at),
+                       words.end(), leaves_plane) -
+          words.begin());
+      if (end > at) at = elements(run, at, end);
+      if (at == words.size() || !in_range_) break;
+      GridDelta delta{};
+      const std::size_t count = steps::longest_line3(words, at, delta);
+      put_line(run, at, at + count, delta);
+      at += count;
+    }
+  }
+
+  /// Whether a line of three axes from there goes on beyond `end`, where z
+  /// steps.
+  static bool climbs(const StepRun& run, std::size_t at, std::size_t end) {
+    constexpr std::size_t kNear = 4096;
+    if (end == run.words.size() || end - at > kNear) return false;
+    GridDelta delta{};
+    return steps::longest_line3(run.words, at, delta) > end - at;
+  }
+
+  /// Two axes, from step `begin` on until `end` or where a line of three
+  /// begins. Returns where that is.
+  std::size_t elements(const StepRun& run, std::size_t begin, std::size_t end) {
     codes_.clear();
-    for (const StepWord word : run.words) {
-      codes_.push_back(steps::kCodes[word & 15]);
+    for (std::size_t i = begin; i < end; ++i) {
+      codes_.push_back(steps::kCodes[run.words[i] & 15]);
     }
     find_points();
     steps::LineSearch lines(codes_, options_.method, kReach);
     std::size_t tried = 0;  // arcs are looked for where lines are short
     std::optional<steps::LaterArc> later;
-    for (std::size_t at = 0; at < codes_.size() && in_range_;) {
-      Element element;
-      if (later && later->begin == at) {
+    std::optional<Element> next;
+    std::size_t at = 0;
+    while (at < codes_.size() && in_range_) {
+      if (climbs(run, begin + at, end)) break;
+      if (later) tried = at;
+      Element element =
+          next && !later
+              ? *next
+              : longest(lines, at, options_.arcs && !run.rapid, tried);
+      next.reset();
+      if (later && later->arc.steps > element.count) {
         element.arc = later->arc;
         element.count = later->arc.steps;
-      } else {
-        element = longest(lines, at, options_.arcs && !run.rapid, tried);
       }
       later.reset();
-      if (options_.arcs && !run.rapid) later = shorten(lines, at, element);
+      if (options_.arcs && !run.rapid) {
+        later = shorten(lines, at, element);
+        if (!later) next = step_back(lines, at, element);
+      }
       if (!later && !element.arc) {
-        element.count = lines.before_next(at, element.count, element.line);
+        const std::size_t count =
+            lines.before_next(at, element.count, element.line);
+        if (count != element.count) next.reset();
+        element.count = count;
       }
       if (element.arc) {
-        put_arc(run, at, *element.arc);
+        put_arc(run, begin + at, *element.arc);
       } else {
-        put_line(run, at, at + element.count,
+        put_line(run, begin + at, begin + at + element.count,
                  {element.line.dx, element.line.dy, 0});
       }
       at += element.count;
     }
+    return begin + at;
   }
 
   /// A line, or an arc.
@@ -201,28 +241,66 @@ class Reverser {
                                          Element& element) const {
     const std::size_t end = at + element.count;
     if (end >= codes_.size()) return std::nullopt;
-    Segment line;
-    const auto may_end = [&](std::size_t here) {
-      if (here == end) return true;
-      if (!element.arc) return lines.is_line(at, here - at, line);
-      const Arc& arc = element.arc->arc;
-      return steps::ArcSearch(std::span(codes_).subspan(at),
-                              std::span(points_).subspan(at), combined(),
-                              step_mm())
-          .is_end(arc.centre, arc.clockwise, here - at);
-    };
     std::optional<steps::LaterArc> later = steps::later_arc(
-        codes_, points_, at + 1, end, combined(), step_mm(), may_end);
-    if (!later || later->begin == end) return later;
-    element.count = later->begin - at;
+        codes_, points_, at + 1, end, combined(), step_mm(),
+        [&](std::size_t here) { return may_end(lines, at, element, here); });
+    if (later) end_at(lines, at, element, later->begin);
+    return later;
+  }
+
+  /// Ends the element a few steps earlier where what follows it then comes
+  /// much farther; returns that.
+  std::optional<Element> step_back(steps::LineSearch& lines, std::size_t at,
+                                   Element& element) const {
+    constexpr std::size_t kShort = 64;
+    constexpr std::size_t kBack = 16;
+    const std::size_t end = at + element.count;
+    if (end >= codes_.size()) return std::nullopt;
+    const auto longest_from = [&](std::size_t here) {
+      std::size_t tried = 0;
+      return longest(lines, here, true, tried);
+    };
+    Element next = longest_from(end);
+    if (next.count >= kShort) return next;
+    std::size_t best = end + next.count + kShort / 4;
+    std::size_t chosen = end;
+    for (std::size_t back = 1; back <= kBack && back < element.count; ++back) {
+      const std::size_t here = end - back;
+      if (!may_end(lines, at, element, here)) continue;
+      const Element other = longest_from(here);
+      if (here + other.count <= best) continue;
+      best = here + other.count;
+      chosen = here;
+      next = other;
+    }
+    end_at(lines, at, element, chosen);
+    return next;
+  }
+
+  /// Whether the element draws its steps up to there and no more.
+  bool may_end(steps::LineSearch& lines, std::size_t at, const Element& element,
+               std::size_t here) const {
+    if (here == at + element.count) return true;
+    Segment line;
+    if (!element.arc) return lines.is_line(at, here - at, line);
+    const Arc& arc = element.arc->arc;
+    return steps::ArcSearch(std::span(codes_).subspan(at),
+                            std::span(points_).subspan(at), combined(),
+                            step_mm())
+        .is_end(arc.centre, arc.clockwise, here - at);
+  }
+
+  void end_at(steps::LineSearch& lines, std::size_t at, Element& element,
+              std::size_t here) const {
+    if (here == at + element.count) return;
+    element.count = here - at;
     if (!element.arc) {
       lines.is_line(at, element.count, element.line);
-      return later;
+      return;
     }
     element.arc->steps = element.count;
-    element.arc->arc.end = {points_[later->begin].x - points_[at].x,
-                            points_[later->begin].y - points_[at].y};
-    return later;
+    element.arc->arc.end = {points_[here].x - points_[at].x,
+                            points_[here].y - points_[at].y};
   }
 
   [[nodiscard]] bool combined() const {
@@ -240,16 +318,6 @@ class Reverser {
     for (const Step code : codes_) {
       const Point d = step_delta(code);
       points_.push_back({points_.back().x + d.x, points_.back().y + d.y});
-    }
-  }
-
-  /// Three axes: lines of steps::Line3.
-  void lines3(const StepRun& run) {
-    for (std::size_t at = 0; at < run.words.size() && in_range_;) {
-      GridDelta delta{};
-      const std::size_t count = steps::longest_line3(run.words, at, delta);
-      put_line(run, at, at + count, delta);
-      at += count;
     }
   }
 

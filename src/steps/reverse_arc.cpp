@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "steps/arc_rule.h"
 #include "steps/arc_search.h"
+#include "steps/centre_region.h"
 
 namespace unstep::steps {
 namespace {
@@ -13,6 +15,9 @@ namespace {
 /// towards it, where a flat arc says less.
 constexpr double kAside = 1.6;
 constexpr double kAlong = 8.5;
+
+/// Regions of centres that are tried: of the longest way, and of shorter ones.
+constexpr int kRegions = 12;
 
 /// A bend is taken for one of a circle if it is seen over so many steps, and
 /// so far from straight.
@@ -123,25 +128,6 @@ void visit_around(Point centre, Point middle, Take&& take) {
   }
 }
 
-/// Looks around the centre of the circle through the way up to `reach`, if it
-/// is one.
-void try_reach(ArcSearch& search, std::span<const Point> points,
-               std::size_t reach) {
-  const Point a = points[0];
-  // Of a closed figure the end is the start again.
-  const bool closed = points[reach] == a;
-  const Point p = points[closed ? reach / 3 : reach / 2];
-  const Point q = points[closed ? 2 * reach / 3 : reach];
-  const std::optional<Point> centre = centre_of(a, p, q);
-  if (!centre) return;
-  const Ring ring = ring_of(samples_of(points, reach), *centre);
-  if (ring.high - ring.low > 3) return;
-  const bool clockwise = side(a, p, q) < 0;
-  visit_around(refined(points, reach, *centre), p, [&](Point at) {
-    search.try_centre({at.x - a.x, at.y - a.y}, clockwise);
-  });
-}
-
 /// The circle that the points follow from the first on, seen as far as it
 /// goes.
 struct Bend {
@@ -183,10 +169,15 @@ std::optional<ExactArc> longest_arc(std::span<const Step> steps,
   if (steps.size() <= least) return std::nullopt;
   ArcSearch search(steps, points, combined, step_mm);
   search.set_least(least);
-  // From the longest reach: what a shorter one finds is mostly as long.
-  for (std::size_t reach = steps.size(); reach > least; reach = reach * 2 / 3) {
-    try_reach(search, points, reach);
-    if (search.best().steps >= reach) break;
+  for (const bool clockwise : {false, true}) {
+    CentreRegion region(clockwise);
+    const std::size_t taken = region.take(steps, points, combined);
+    for (int tries = 0; tries < kRegions; ++tries) {
+      if (taken <= std::max(least, search.best().steps)) break;
+      for (const Point centre : region.next_centres()) {
+        search.try_centre(centre, clockwise);
+      }
+    }
   }
   if (search.best().steps <= least) return std::nullopt;
   return search.best();
@@ -217,7 +208,7 @@ std::optional<LaterArc> later_arc(
                         bend->clockwise);
       const ExactArc& best = search.best();
       if (at + best.steps < end || best.arc.centre == Point{}) continue;
-      const bool on = ArcSearch::off_circle(best.arc.centre, best.arc.end) == 0;
+      const bool on = off_circle(best.arc.centre, best.arc.end) == 0;
       const bool better = at + best.steps > end || (on && !closed);
       if (!better || !may_begin(at)) continue;
       found = {at, best};

@@ -9,23 +9,20 @@ namespace {
 
 using Direction = std::array<double, kMaxStepAxes>;
 
-Direction normal(const Direction& d) {
-  double square = 0;
-  for (const double part : d) square += part * part;
-  const double size = square > 0 ? std::sqrt(square) : 1;
-  return {d[0] / size, d[1] / size, d[2] / size};
+double product(const Direction& a, const Direction& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The way in which a move begins, or ends.
+/// The way in which a move begins, or ends, of any length but 0.
 Direction direction(const GridMove& move, bool at_end) {
   if (!move.is_arc) {
-    return normal({static_cast<double>(move.delta[0]),
-                   static_cast<double>(move.delta[1]),
-                   static_cast<double>(move.delta[2])});
+    return {static_cast<double>(move.delta[0]),
+            static_cast<double>(move.delta[1]),
+            static_cast<double>(move.delta[2])};
   }
   const double x = (at_end ? move.arc.end.x : 0) - move.arc.centre.x;
   const double y = (at_end ? move.arc.end.y : 0) - move.arc.centre.y;
-  return move.arc.clockwise ? normal({y, -x, 0}) : normal({-y, x, 0});
+  return move.arc.clockwise ? Direction{y, -x, 0} : Direction{-y, x, 0};
 }
 
 /// The speed at which a corner can be passed, mm/s.
@@ -33,7 +30,8 @@ double corner_speed(const GridMove& a, const GridMove& b,
                     const StepTiming& timing) {
   const Direction in = direction(a, true);
   const Direction out = direction(b, false);
-  const double dot = in[0] * out[0] + in[1] * out[1] + in[2] * out[2];
+  const double sizes = product(in, in) * product(out, out);
+  const double dot = sizes > 0 ? product(in, out) / std::sqrt(sizes) : 0;
   // The sine of half the angle between the two legs.
   const double sine = std::sqrt(std::clamp((1 + dot) / 2, 0.0, 1.0));
   if (sine > 0.9999995) return 1e9;
@@ -78,35 +76,6 @@ std::vector<MoveSpeed> plan_speeds(std::span<const GridMove> moves,
     before = speed.last;
   }
   return speeds;
-}
-
-MoveClock::MoveClock(const MoveSpeed& speed, double length, double acceleration)
-    : acceleration_(acceleration), first_(speed.first), peak_(speed.most) {
-  const double a = acceleration;
-  if (a <= 0) return;
-  const double v0 = speed.first;
-  const double v1 = speed.last;
-  // Where speeding up would meet braking.
-  peak_ = std::min(speed.most, std::sqrt((v0 * v0 + v1 * v1) / 2 + a * length));
-  up_ = std::max(0.0, (peak_ * peak_ - v0 * v0) / (2 * a));
-  brake_at_ = length - std::max(0.0, (peak_ * peak_ - v1 * v1) / (2 * a));
-  speeding_ = speeding_until(up_);
-}
-
-double MoveClock::speeding_until(double way) const {
-  return (std::sqrt(first_ * first_ + 2 * acceleration_ * way) - first_) /
-         acceleration_;
-}
-
-double MoveClock::at(double way) const {
-  if (acceleration_ <= 0) return way / peak_;
-  if (way <= up_) return speeding_until(way);
-  const double steady = std::min(way, brake_at_) - up_;
-  const double time = speeding_ + std::max(0.0, steady) / peak_;
-  const double braked = way - std::max(up_, brake_at_);
-  if (braked <= 0) return time;
-  const double left = std::max(0.0, peak_ * peak_ - 2 * acceleration_ * braked);
-  return time + (peak_ - std::sqrt(left)) / acceleration_;
 }
 
 }  // namespace unstep::steps

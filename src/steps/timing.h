@@ -23,24 +23,4 @@ struct MoveSpeed {
 [[nodiscard]] std::vector<MoveSpeed> plan_speeds(
     std::span<const GridMove> moves, const StepTiming& timing);
 
-/// When a move of `length` mm has gone how much of it.
-class MoveClock {
- public:
-  /// mm/s^2; 0: no limit.
-  MoveClock(const MoveSpeed& speed, double length, double acceleration);
-
-  /// Seconds from its start. REQUIRES: 0 <= way <= length.
-  [[nodiscard]] double at(double way) const;
-
- private:
-  [[nodiscard]] double speeding_until(double way) const;
-
-  double acceleration_;
-  double first_;
-  double peak_;          ///< the speed reached
-  double up_ = 0;        ///< where it is reached
-  double brake_at_ = 0;  ///< where it is left
-  double speeding_ = 0;  ///< when it is reached
-};
-
 }  // namespace unstep::steps

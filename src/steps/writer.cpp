@@ -35,6 +35,83 @@ std::uint32_t pack_eight(const StepWord* words) {
   return static_cast<std::uint32_t>(all | all >> 16);
 }
 
+/// Changes of waits as bytes, most of them one: at a steady speed they are -1,
+/// 0 and 1. Blocks of them are looked at side by side, then eight at a time.
+class WaitChanges {
+ public:
+  void append(std::span<const std::uint32_t> waits, std::string& out) {
+    for (std::size_t at = 0; at < waits.size(); at += kBlock) {
+      append_block(waits.subspan(at, std::min(kBlock, waits.size() - at)), out);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 256;
+  static constexpr std::size_t kMany = 8;
+  /// A change has 33 bits.
+  static constexpr std::size_t kMaxBytes = 5;
+
+  void append_block(std::span<const std::uint32_t> waits, std::string& out) {
+    const bool short_changes = find(waits);
+    std::array<char, kBlock * kMaxBytes> bytes;
+    char* to = bytes.data();
+    for (std::size_t i = 0; i < waits.size();) {
+      if (short_changes && i + kMany <= waits.size() && are_small(i)) {
+        std::memcpy(to, &low_[i], kMany);
+        to += kMany;
+        i += kMany;
+        continue;
+      }
+      const std::size_t end = std::min(i + kMany, waits.size());
+      for (; i < end; ++i) {
+        const std::uint32_t before = i == 0 ? before_ : waits[i - 1];
+        to = put(short_changes ? changes_[i]
+                               : zigzag(std::int64_t{waits[i]} - before),
+                 to);
+      }
+    }
+    before_ = waits.back();
+    out.append(bytes.data(), to);
+  }
+
+  /// False if waits are so long that their changes have more than 32 bits.
+  bool find(std::span<const std::uint32_t> waits) {
+    std::uint32_t all = before_ | waits[0];
+    changes_[0] = waits[0] - before_;
+    for (std::size_t i = 1; i < waits.size(); ++i) {
+      changes_[i] = waits[i] - waits[i - 1];
+      all |= waits[i];
+    }
+    for (std::size_t i = 0; i < waits.size(); ++i) {
+      changes_[i] = changes_[i] << 1 ^ (0 - (changes_[i] >> 31));
+      low_[i] = static_cast<std::uint8_t>(changes_[i]);
+    }
+    return all >> 31 == 0;
+  }
+
+  [[nodiscard]] bool are_small(std::size_t at) const {
+    std::array<std::uint64_t, kMany / 2> pairs;
+    std::memcpy(pairs.data(), &changes_[at], sizeof pairs);
+    const std::uint64_t all = pairs[0] | pairs[1] | pairs[2] | pairs[3];
+    return (all & 0xffffff80ffffff80U) == 0;
+  }
+
+  /// One byte or two without a branch: which of them changes at random.
+  static char* put(std::uint64_t value, char* to) {
+    for (; value >= 0x4000; value >>= 7) {
+      *to++ = static_cast<char>(value | 0x80);
+    }
+    const bool two = value >= 0x80;
+    to[0] = static_cast<char>(value | (two ? 0x80U : 0U));
+    to[1] = static_cast<char>(value >> 7);
+    return to + (two ? 2 : 1);
+  }
+
+  std::uint32_t before_ = 0;
+  std::array<std::uint32_t, kBlock> changes_;
+  std::array<std::uint8_t, kBlock> low_;
+};
+
 class Binary : public Format {
  public:
   void begin(const StepHead& head, std::string& out) override {
@@ -58,7 +135,7 @@ class Binary : public Format {
       append_varint(out, 2 * count + (run.rapid ? 1 : 0));
       append_words(std::span(run.words).subspan(at, count), out);
       if (run.waits.empty()) continue;
-      append_waits(std::span(run.waits).subspan(at, count), out);
+      waits_.append(std::span(run.waits).subspan(at, count), out);
     }
     sum(out, begin);
   }
@@ -91,20 +168,6 @@ class Binary : public Format {
     }
     if (i < words.size()) *to = static_cast<char>(words[i]);
   }
-  /// A change of a wait has 33 bits, 5 bytes at most.
-  void append_waits(std::span<const std::uint32_t> waits, std::string& out) {
-    const std::size_t begin = out.size();
-    out.resize(begin + 5 * waits.size());
-    char* to = out.data() + begin;
-    for (const std::uint32_t wait : waits) {
-      std::uint64_t value = zigzag(std::int64_t{wait} - wait_);
-      for (; value >= 0x80; value >>= 7)
-        *to++ = static_cast<char>(value | 0x80);
-      *to++ = static_cast<char>(value);
-      wait_ = wait;
-    }
-    out.resize(static_cast<std::size_t>(to - out.data()));
-  }
   void sum(const std::string& out, std::size_t begin) {
     crc_ = codec::crc_bytes(
         {reinterpret_cast<const std::uint8_t*>(out.data()) + begin,
@@ -113,7 +176,7 @@ class Binary : public Format {
   }
 
   int axes_ = 2;
-  std::int64_t wait_ = 0;
+  WaitChanges waits_;
   std::uint32_t crc_ = 0;
 };
 
@@ -227,7 +290,9 @@ Status check_run(const StepHead& head, const StepRun& run) {
                  "as many waits as steps, or none if there is no clock"};
   }
   bool all = are_step_words(run.words, head.axes);
-  for (const std::uint32_t wait : run.waits) all = all & (wait > 0);
+  std::uint32_t none = 0;
+  for (const std::uint32_t wait : run.waits) none |= wait == 0 ? 1 : 0;
+  all = all && none == 0;
   if (all) return {};
   return Error{ErrorCode::invalid_argument,
                "a word that is no step, or a wait of 0"};

@@ -62,9 +62,9 @@ BENCHMARK(circles_written)->Arg(20)->Arg(300)->Arg(8000);
 void timed_lines_written(benchmark::State& state) {
   StepMakeOptions options;
   options.timed = true;
-  write(state, lines(300), options);
+  write(state, lines(static_cast<int>(state.range(0))), options);
 }
-BENCHMARK(timed_lines_written);
+BENCHMARK(timed_lines_written)->Arg(20)->Arg(300)->Arg(5000);
 
 void lines_of_three_axes_written(benchmark::State& state) {
   StepMakeOptions options;

@@ -74,9 +74,72 @@ class Simulate(unittest.TestCase):
         self.assertLess(report["ink"]["worst_units"], 5)
         self.assertTrue(os.path.exists(self.path("film.png")))
 
+    def test_esu_writes_within_its_instability(self):
+        film, plot = self.path("film.pbm"), self.path("plot.svg")
+        report = self.report("--machine", "esu", "--direction", "write",
+                             "--exposure", film, "--plot", plot)
+        self.assertEqual(report["direction"], "write")
+        self.assertAlmostEqual(report["seconds"], 0.036)
+        # 2.05 points of 4 um on each axis.
+        self.assertLess(report["worst_um"], 11.6)
+        self.assertLess(report["rms_um"], report["worst_um"])
+        self.assertEqual(report["limits_broken"], [])
+        self.assertGreater(report["ink"]["differing"], 0)
+        self.assertLess(report["ink"]["worst_units"], 5)
+        self.assertEqual(report["ink"]["lost"], 0)
+        self.assertEqual(report["ink"]["differing"],
+                         len(ink_of(film) ^ self.drawn()))
+        with open(plot, encoding="ascii") as file:
+            svg = file.read()
+        self.assertIn("M10 10L50 10L50 50L10 50L10 10", svg)
+        self.assertEqual(svg.count("<path"), 2)
+        scan = self.report("--machine", "esu")
+        self.assertEqual(scan["direction"], "scan")
+        self.assertNotEqual(scan["ink"], report["ink"])
+
+    def drawn(self):
+        return {(x, y) for x in range(10, 50) for y in range(10, 50)}
+
+    def test_esu_without_noise_writes_the_drawing(self):
+        film = self.path("film.pbm")
+        report = self.report("--machine", "esu", "--direction", "write",
+                             "--noise", "0", "--exposure", film)
+        self.assertEqual(report["worst_um"], 0)
+        self.assertEqual(report["ink"]["worst_units"], 0)
+        self.assertEqual(ink_of(film), self.drawn())
+
+    def test_esu_beyond_its_instability_breaks_a_limit(self):
+        for way in ("scan", "write"):
+            words = ("--machine", "esu", "--direction", way, "--noise", "2")
+            self.assertEqual(self.report(*words)["limits_broken"],
+                             ["the raster wanders by more than 0.1 % of the "
+                              "field"])
+            self.assertIn(b"limit broken: the raster", self.run_it(*words).stdout)
+
+    def test_a_program_needs_a_grid(self):
+        self.drawing = self.path("part.ngc")
+        with open(self.drawing, "wb") as file:
+            file.write(b"G21 G90\nG0 X0 Y0\nG1 X3 F100\nG3 X3 Y2 J1\nM2\n")
+        done = self.run_it()
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"--grid", done.stderr)
+        done = self.run_it("--grid", "0.1mm")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(b"limits broken: none\n", done.stdout)
+
+    def test_nothing_drawn_is_plotted(self):
+        with open(self.drawing, "wb") as file:
+            file.write(b"canvas 60 60 down\n")
+        plot = self.path("plot.svg")
+        for machine in ("zenit", "esu"):
+            self.report("--machine", machine, "--plot", plot, "--force")
+            with open(plot, encoding="ascii") as file:
+                self.assertIn('viewBox="-2 -2 64 64"', file.read())
+
     def test_wrong_usage(self):
         for words in (["--machine", "lathe"], ["--speed", "0"],
-                      ["--machine", "esu", "--plot", self.path("a.svg")],
+                      ["--direction", "write"],
+                      ["--machine", "esu", "--direction", "up"],
                       ["--exposure", self.path("a.svg")], ["--page", "2"]):
             done = self.run_it(*words)
             self.assertEqual(done.returncode, 2, words)

@@ -1,5 +1,6 @@
 // For rs274_test.py. Reads a program, shortens it if asked, prints the motions
-// of what it has and writes the program it would write.
+// of what it has and writes the program it would write. What is kept as it
+// stands is named on standard error.
 //
 //     program_tool IN [TOLERANCE_MM OUT PROFILE ARCS]
 
@@ -68,6 +69,9 @@ int main(int count, char** arguments) {
   }
   const auto moves = program_moves(*program, true);
   if (!moves) return fail(moves.error());
+  for (const std::string& note : program->notes) {
+    std::fprintf(stderr, "%s\n", note.c_str());
+  }
   print_moves(*moves);
   return 0;
 }

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """LinuxCNC's interpreter rs274 as the second opinion on programs.
 
-usage: rs274_test.py PROGRAM_TOOL FOLDER...
+usage: rs274_test.py PROGRAM_TOOL [--random COUNT] FOLDER...
 
 Every program of the folders: the motions that we read are the canonical moves
 that rs274 makes of it, and the motions that we write are those that rs274
-reads from what we wrote. Programs that rs274 does not accept are named.
+reads from what we wrote. Programs that rs274 does not accept are named. With
+--random so many programs of loops, branches and subroutines too.
 Exit code 77, with a line that says so, where rs274 is not installed.
 """
 
@@ -16,6 +17,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+from random_flow import random_program
 
 CALL = re.compile(r"^\s*\d+ N\S+\s+(\w+)\((.*)\)\s*$")
 PLANES = {"CANON_PLANE_XY": 0, "CANON_PLANE_XZ": 1, "CANON_PLANE_YZ": 2}
@@ -149,6 +152,26 @@ class Bench:
                         continue
                     self.check_written(path, tolerance, profile, form)
 
+    def check_random(self, count):
+        """Programs of control flow: one in ten may be kept as it stands."""
+        path, kept = self.folder / "random.ngc", 0
+        for seed in range(count):
+            path.write_text(random_program(seed))
+            moves, reason = self.rs274(path)
+            run = subprocess.run([self.tool, path], capture_output=True,
+                                 text=True, check=False)
+            if moves is None:
+                self.report(f"random {seed}", "rs274: " + reason)
+            elif run.returncode != 0:
+                self.report(f"random {seed}", run.stderr.strip())
+            elif "kept as it stands" in run.stderr:
+                kept += 1
+            else:
+                self.report(f"random {seed}", difference(
+                    our_moves(run.stdout), moves, 0.00011))
+        if kept > count / 10:
+            self.report("random programs", f"{kept} of {count} were kept")
+
     def check_written(self, path, tolerance, profile, form):
         out = self.folder / "out.ngc"
         name = f"{path.name} at {tolerance} as {profile}, arcs {form}"
@@ -184,14 +207,18 @@ def difference_of_ends(ours, theirs, near):
 
 
 def main():
-    tool = sys.argv[1]
+    tool, *folders = sys.argv[1:]
+    count = 0
+    if folders[:1] == ["--random"]:
+        count, folders = int(folders[1]), folders[2:]
     if shutil.which("rs274") is None:
         print("SKIPPED: rs274 is not installed (Debian: linuxcnc-uspace); "
               "programs were not compared with LinuxCNC", file=sys.stderr)
         return 77
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(tool, pathlib.Path(folder))
-        for where in sys.argv[2:]:
+        bench.check_random(count)
+        for where in folders:
             for path in sorted(pathlib.Path(where).iterdir()):
                 if path.suffix in (".ngc", ".nc", ".gcode"):
                     bench.check(path)

@@ -37,11 +37,31 @@ TEST(gcode_flow, loops_run_as_often_as_they_say) {
             "3 ");
 }
 
+TEST(gcode_flow, half_a_turn_more_is_one_to_the_even_number) {
+  for (const auto& [count, turns] :
+       {std::pair{"0.5", 0}, {"0.51", 1}, {"1.5", 2}, {"2.5", 2}, {"-1", 0}}) {
+    const std::string loop = std::string("o1 repeat [") + count + "]\n";
+    EXPECT_EQ(xs("#5=0\n" + loop + "#5=[#5+1]\no1 endrepeat\nG0 X#5\n"),
+              std::to_string(turns) + " ");
+  }
+}
+
 TEST(gcode_flow, break_and_continue_are_of_the_loop_they_name) {
   EXPECT_EQ(xs("#1=0\no1 while [1]\n#1=[#1+1]\no2 repeat [5]\no3 if [#1 EQ 2]\n"
                "o1 continue\no3 elseif [#1 EQ 4]\no1 break\no3 endif\n"
                "G0 X#1\no2 break\nG0 X70\no2 endrepeat\no1 endwhile\nG0 X9\n"),
             "1 3 9 ");
+}
+
+TEST(gcode_flow, labels_of_every_line_may_be_expressions) {
+  EXPECT_EQ(xs("o[3+4] if [0]\nG0 X1\no[14/2] elseif [0]\nG0 X2\no7 else\n"
+               "G0 X3\no[7] endif\n#5=0\no[1] while [#5 LT 2]\n#5=[#5+1]\n"
+               "o[3-1] repeat [1]\nG0 X#5\no[2] endrepeat\no[1] endwhile\n"
+               "o[50*2] sub\nG0 X9\no[100] endsub\n#6=100\no#6 call\n"),
+            "3 1 2 9 ");
+  EXPECT_EQ(strict_error("#1=7\no#1 if [0]\nG0 X1\no#1 endif\n"),
+            "line 2: a label of endif that depends on parameters is not "
+            "understood");
 }
 
 TEST(gcode_flow, one_branch_is_carried_out) {
@@ -66,6 +86,11 @@ TEST(gcode_flow, subroutines_have_arguments_and_names_of_their_own) {
   EXPECT_EQ(xs("G0 X#<_value>\no1 sub\no1 endsub [5]\no2 sub\no1 call\n"
                "X#<_value>\no2 endsub\no2 call\nX#<_value>\n"),
             "0 5 0 ");
+  // As LinuxCNC 2.9: a definition sets the value too, and a call keeps it.
+  EXPECT_EQ(xs("#1=0\no1 sub\nG0 X#<_value>\nX[#<_value_returned>+10]\n"
+               "o1 endsub [#1+5]\no1 call [3]\n#1=2\no2 sub\no2 endsub [#1]\n"
+               "o1 call [1]\nG0 X[#<_value>+20]\n"),
+            "5 11 2 11 26 ");
 }
 
 TEST(gcode_flow, lines_that_stay_text_have_their_values) {

@@ -78,6 +78,34 @@ TEST(Esu, ScanStaysWithin5PointsOfTheDrawing) {
   }
 }
 
+TEST(Esu, WritingStaysWithin5PointsOfTheDrawing) {
+  const Bitmap page = drawing(500);
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    EsuOptions options;
+    options.seed = seed;
+    const auto film = esu_write(page, options);
+    ASSERT_TRUE(film);
+    const auto written = film_ink(*film);
+    EXPECT_TRUE(near(*written, page, 5));
+    EXPECT_TRUE(near(page, *written, 5));
+    EXPECT_NE(*written, page);
+  }
+}
+
+TEST(Esu, BeamErrorIsThatOfTheInstability) {
+  EsuOptions options;
+  const auto error = esu_beam_error(drawing(500), options);
+  ASSERT_TRUE(error);
+  // 2.05 points of 4 um on each axis.
+  EXPECT_LE(error->worst_um, 2.05 * 4 * std::sqrt(2.0));
+  EXPECT_GT(error->rms_um, 0);
+  EXPECT_LT(error->rms_um, error->worst_um);
+  options.instability = 0;
+  EXPECT_EQ(esu_beam_error(drawing(500), options)->worst_um, 0);
+  EXPECT_EQ(esu_beam_error(*Bitmap::create(9, 9), {})->rms_um, 0);
+  EXPECT_FALSE(esu_beam_error(*Bitmap::create(kEsuField + 1, 1), {}));
+}
+
 TEST(Esu, MoreInstabilityLeavesThe5Points) {
   const Bitmap page = drawing(500);
   EsuOptions options;

@@ -191,7 +191,8 @@ struct ArcRules {
   double max_sweep_degrees = 360;  ///< of one arc; below 360: no full circles
   bool quadrants = false;          ///< no arc passes an extreme of its circle
   /// Arcs are written by R: checked with the centre that follows from it, and
-  /// of at most 170 degrees.
+  /// not of 170 to 190 degrees or more than 340, where the centre would depend
+  /// on the last digits of the ends.
   bool by_radius = false;
 };
 
@@ -241,7 +242,7 @@ struct GcodeWriteOptions {
   enum class ArcForm : std::uint8_t {
     as_read,  ///< R where the program had R, else I, J and K
     centre,   ///< I, J and K
-    radius    ///< R; arcs of more than 170 degrees in pieces
+    radius    ///< R; arcs of 170 to 190 degrees or more than 340 in two
   };
   GcodeProfile profile = GcodeProfile::linuxcnc;
   ArcForm arcs = ArcForm::as_read;

@@ -82,8 +82,9 @@ struct StepMakeOptions {
   std::array<std::int32_t, kMaxStepAxes> origin{};
   /// Of lines of 2 axes: any that makes unit steps of lines. Arcs are drawn by
   /// Method::circular, with diagonal steps if the lines are of evaluation8.
-  /// With 3 axes: the axis with most steps steps always, the others when they
-  /// are nearest to the line; arcs are chords of half a step.
+  /// With 3 axes what does not move z is drawn so by evaluation8; else the axis
+  /// with most steps steps always, the others when they are nearest to the
+  /// line, and arcs are chords of half a step.
   Method method = Method::evaluation8;
   InterpolatorOptions interpolator;
   bool timed = false;
@@ -156,8 +157,8 @@ struct StepReverseOptions {
   double feed = 1000;  ///< mm/min, of streams that are not timed
 };
 
-/// Reverse interpolation of a recorded stream: the longest lines and, with 2
-/// axes, arcs, one after the other, that make_steps draws with exactly these
+/// Reverse interpolation of a recorded stream: the longest lines and, where z
+/// rests, arcs, one after the other, that make_steps draws with exactly these
 /// steps. invalid_argument for words that are none or another method.
 Result<Program> reverse_steps(const StepStream& stream,
                               const StepReverseOptions& options);
