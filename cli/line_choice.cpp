@@ -54,20 +54,22 @@ constexpr std::size_t kManyElements = 100'000;
 /// How much a part may mislead, in hundredths of its size.
 constexpr std::size_t kMisleads = 10;
 
-/// About the size of a page of many lines, from every eighth path.
+/// About the size of a page of many lines, from every eighth path or fewer.
 Result<std::size_t> estimated_size(const Page& lines, Effort effort) {
-  constexpr std::size_t kApart = 8;
+  constexpr std::size_t kLeastApart = 8;
+  constexpr std::size_t kPart = 200'000;
+  const std::size_t all = count_elements(lines.drawing);
+  const std::size_t apart = std::max(kLeastApart, all / kPart);
   Page part = page_of_lines(lines.info, lines.fidelity.tolerance, {});
   part.drawing.canvas = lines.drawing.canvas;
   part.drawing.scale = lines.drawing.scale;
-  for (std::size_t i = 0; i < lines.drawing.paths.size(); i += kApart) {
+  for (std::size_t i = 0; i < lines.drawing.paths.size(); i += apart) {
     part.drawing.paths.push_back(lines.drawing.paths[i]);
   }
   const Result<std::size_t> size = stored_size(part, effort);
   if (!size) return size.error();
   const std::size_t elements = count_elements(part.drawing);
-  return *size * count_elements(lines.drawing) /
-         std::max<std::size_t>(elements, 1);
+  return *size * all / std::max<std::size_t>(elements, 1);
 }
 
 /// Whether the page takes no more bytes than its lines, which are coded only
