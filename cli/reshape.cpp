@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "cli/centreline.h"
-#include "cli/stored_size.h"
+#include "cli/line_choice.h"
 #include "unstep/codec.h"
 #include "unstep/deviation.h"
 #include "unstep/interpolate.h"
@@ -41,63 +41,14 @@ Result<Rational> fraction_below(double value) {
   return Rational{numerator / common, kParts / common};
 }
 
-/// Drawings of more lines keep to lines: there arcs cost more than they save,
-/// and two searches take their time.
-constexpr std::size_t kFewElements = 3'000;
-
-std::size_t count_elements(const Drawing& drawing) {
-  std::size_t count = 0;
-  for (const Path& path : drawing.paths) count += path.elements.size();
-  return count;
-}
-
-Page page_of_lines(const PageInfo& info, const Rational& tolerance,
-                   Drawing lines) {
-  Page page;
-  page.kind = PageKind::paths;
-  page.info = info;
-  page.fidelity = {Fidelity::Kind::tolerance, tolerance};
-  page.drawing = std::move(lines);
-  return page;
-}
-
-/// Lines for a .ustp file; of a small drawing with arcs if that is smaller,
-/// and the page itself if nothing is, as it is with noise.
-Result<Page> cheapest_lines(Page page, const Drawing& chains,
-                            ToleranceOptions options) {
-  const bool arcs = options.arcs;
-  options.aim = LineAim::few_bytes;
-  options.arcs = false;
-  Result<Drawing> lines = reverse_tolerance(chains, options);
-  if (!lines) return lines.error();
-  const bool few = count_elements(*lines) <= kFewElements;
-  Page best = page_of_lines(page.info, options.tolerance, *std::move(lines));
-  Result<std::size_t> least = stored_size(best, options.effort);
-  if (!least) return least.error();
-  if (arcs && few) {
-    options.arcs = true;
-    Result<Drawing> mixed = reverse_tolerance(chains, options);
-    if (!mixed) return mixed.error();
-    Page other = page_of_lines(page.info, options.tolerance, *std::move(mixed));
-    const Result<std::size_t> size = stored_size(other, options.effort);
-    if (!size) return size.error();
-    if (*size <= *least) {
-      best = std::move(other);
-      least = *size;
-    }
-  }
-  const Result<std::size_t> exact = stored_size(page, options.effort);
-  if (!exact) return exact.error();
-  return *exact <= *least ? std::move(page) : std::move(best);
-}
-
 Result<Page> by_tolerance(Page page, const Rational& tolerance, bool arcs,
                           Effort effort, LineAim aim) {
   Result<Drawing> chains = chains_of(page);
   if (!chains) return chains.error();
   const ToleranceOptions options{tolerance, effort, arcs};
-  if (aim == LineAim::few_bytes && effort != Effort::fast) {
-    Result<Page> cheapest = cheapest_lines(std::move(page), *chains, options);
+  if (aim == LineAim::few_bytes) {
+    Result<Page> cheapest =
+        lines_of_few_bytes(std::move(page), *chains, options);
     if (!cheapest || cheapest->kind != PageKind::paths) return cheapest;
     page = *std::move(cheapest);
   } else {

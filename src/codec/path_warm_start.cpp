@@ -1,7 +1,5 @@
 #include "codec/path_warm_start.h"
 
-#include <array>
-
 #include "codec/warm_start.h"
 #include "entropy/logistic.h"
 
@@ -26,29 +24,35 @@ class Text {
   std::string_view text_;
 };
 
-void apply_counters(std::string_view text, VectorModel& model) {
-  Text in(text);
-  std::size_t part = 0;
-  std::size_t context = 0;
+/// The counters of one context, to the mark of its end.
+void apply_context(Text& in, VectorModel::Decisions& decisions,
+                   std::size_t context) {
   std::uint32_t index = 0;
-  while (!in.done() && part < model.decisions().size()) {
-    const unsigned passed = in.next(2);
-    const unsigned level = in.next(1);
-    const std::uint8_t age = warm::kAges[in.next(1) % warm::kAges.size()];
-    if (passed == 0 && age == 0) {
-      index = 0;
-      context = (context + 1) % VectorModel::kContexts;
-      if (context == 0) ++part;
+  while (!in.done()) {
+    const unsigned passed = in.next(1);
+    if (passed == kManyPassed) {
+      const unsigned more = in.next(1);
+      if (more == 0) return;
+      index += 64 * more;
       continue;
     }
     index += passed;
-    if (age == 0) continue;
-    entropy::Counter& counter =
-        model.decisions()[part].counter(context, index & 0xffffU);
+    if (passed == kSomePassed) continue;
+    const unsigned entry = in.next(1);
+    entropy::Counter& counter = decisions.counter(context, index & 0xffffU);
     counter.p = static_cast<std::uint16_t>(
-        entropy::squash((static_cast<int>(level) - 32) * 72));
-    counter.n = age;
+        entropy::squash(kLevels[entry / kCounterAges.size()]));
+    counter.n = kCounterAges[entry % kCounterAges.size()];
     ++index;
+  }
+}
+
+void apply_counters(std::string_view text, VectorModel& model) {
+  Text in(text);
+  for (VectorModel::Decisions& decisions : model.decisions()) {
+    for (std::size_t i = 0; i < VectorModel::kContexts; ++i) {
+      apply_context(in, decisions, i);
+    }
   }
 }
 

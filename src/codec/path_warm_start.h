@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -15,9 +16,10 @@ inline constexpr std::uint8_t kTableId = 1;
 
 struct Table {
   /// Counters, for each part and each of its contexts in turn, by growing
-  /// index: four characters hold the indices passed over, 12 bits, the stretch,
-  /// 6, and the age, 6. Age 0: no counter; with nothing passed over the context
-  /// ends.
+  /// index: a character for the indices passed over, one for the counter, the
+  /// place of its stretch in kLevels times 4 and that of its age. kSomePassed
+  /// has no counter; after kManyPassed a character says how often 64 are passed
+  /// over, 0 ends the context.
   std::string_view counters;
   /// Weights: part, set, vector 12 bits, kWeights times 12 bits. Vector 4095:
   /// all of the part.
@@ -25,6 +27,12 @@ struct Table {
 };
 
 inline constexpr std::size_t kWeights = 2 * VectorModel::kContexts + 1;
+inline constexpr unsigned kSomePassed = 62;
+inline constexpr unsigned kManyPassed = 63;
+inline constexpr std::array<int, 16> kLevels{
+    -1500, -1000, -720, -510, -350, -220, -120, -36,
+    36,    120,   220,  350,  510,  720,  1000, 1500};
+inline constexpr std::array<std::uint8_t, 4> kCounterAges{3, 7, 14, 28};
 inline constexpr unsigned kAllVectors = 4095;
 /// What a vector of weights has seen that comes from the table.
 inline constexpr std::uint16_t kWeightAge = 384;

@@ -1,7 +1,7 @@
 #include "reverse/crossing.h"
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
 #include <optional>
 
 namespace unstep::reverse {
@@ -38,9 +38,8 @@ bool in_sector(Point at, Point from, Point to, Point c) {
   }
 }
 
-struct SweepLine {
-  Point a;
-  Point b;
+/// A line of a path, by its surroundings.
+struct Box {
   std::int32_t low_x;
   std::int32_t high_x;
   std::int32_t low_y;
@@ -48,32 +47,42 @@ struct SweepLine {
   LineId id;
 };
 
-bool on_line(const SweepLine& line, Point at) {
-  return side(line.a, line.b, at) == 0 && line.low_x <= at.x &&
-         at.x <= line.high_x && line.low_y <= at.y && at.y <= line.high_y;
+struct Ends {
+  Point a;
+  Point b;
+};
+
+bool on_line(const Ends& line, Point at) {
+  const auto [low_x, high_x] = std::minmax(line.a.x, line.b.x);
+  const auto [low_y, high_y] = std::minmax(line.a.y, line.b.y);
+  return side(line.a, line.b, at) == 0 && low_x <= at.x && at.x <= high_x &&
+         low_y <= at.y && at.y <= high_y;
 }
 
-/// Square cells over all paths, not many more than there are lines.
+/// Square cells over all paths, a power of two wide, not many more than there
+/// are lines.
 struct Grid {
   std::int64_t low_x = 0;
   std::int64_t low_y = 0;
   std::int64_t high_x = 0;
-  std::int64_t cell = 1;
+  int shift = 0;
   std::int64_t columns = 1;
   std::int64_t rows = 1;
 
   [[nodiscard]] std::int64_t column(std::int64_t x) const {
-    return (x - low_x) / cell;
+    return (x - low_x) >> shift;
   }
   [[nodiscard]] std::int64_t row(std::int64_t y) const {
-    return (y - low_y) / cell;
+    return (y - low_y) >> shift;
   }
   [[nodiscard]] std::int64_t end_of_row(std::int64_t row) const {
-    return low_y + (row + 1) * cell;
+    return low_y + ((row + 1) << shift);
   }
 
   static Grid around(std::span<const LineVertices> paths, std::int64_t cell) {
-    Grid grid{kMaxCoord, kMaxCoord, -kMaxCoord, cell, 1, 1};
+    const int shift =
+        static_cast<int>(std::bit_width(static_cast<std::uint64_t>(cell))) - 1;
+    Grid grid{kMaxCoord, kMaxCoord, -kMaxCoord, shift, 1, 1};
     std::int64_t high_y = -kMaxCoord;
     std::int64_t vertices = 0;
     for (const LineVertices& path : paths) {
@@ -86,7 +95,7 @@ struct Grid {
       }
     }
     if (vertices == 0) return {};
-    for (;; grid.cell *= 2) {
+    for (;; ++grid.shift) {
       grid.columns = grid.column(grid.high_x) + 1;
       grid.rows = grid.row(high_y) + 1;
       if (grid.columns <= 4 * vertices / grid.rows + 1) return grid;
@@ -155,28 +164,43 @@ class CrossingFinder {
     return Passage{a, b};
   }
 
-  [[nodiscard]] bool meet(const SweepLine& p, const SweepLine& q) const;
-  [[nodiscard]] bool cross_at(const SweepLine& p, const SweepLine& q,
-                              Point at) const;
-  void search_cell(std::span<const LineId> ids);
-  void search_sorted();
-  void compare(const SweepLine& p, const SweepLine& q);
+  [[nodiscard]] bool meet(LineId first, LineId second) const;
+  [[nodiscard]] bool cross_at(LineId p, LineId q, Point at) const;
+  void find_lines(std::span<const RowRange> rows);
+  void enter(std::int32_t line, std::size_t cell);
+  void search_crowded(std::size_t cell);
+  void compare(const Box& p, const Box& q);
+
+  /// A cell's lines, the latest first, as a list of entries.
+  struct Cell {
+    std::int32_t latest = -1;
+    std::int32_t count = 0;
+  };
+  struct Entry {
+    std::int32_t line = 0;
+    std::int32_t before = -1;
+  };
+  /// Of more lines in a cell not all pairs are looked at.
+  static constexpr std::int32_t kFew = 16;
 
   std::span<const LineVertices> paths_;
   const std::vector<bool>& closed_;
-  std::vector<SweepLine> lines_;
-  std::vector<const SweepLine*> active_;
+  std::vector<Box> lines_;
+  std::vector<Cell> cells_;
+  std::vector<Entry> entries_;
+  std::vector<std::size_t> crowded_;
   std::vector<CrossingPair> found_;
 };
 
-bool CrossingFinder::cross_at(const SweepLine& p, const SweepLine& q,
-                              Point at) const {
-  const std::optional<Passage> a = passage(p.id, at);
-  const std::optional<Passage> b = passage(q.id, at);
+bool CrossingFinder::cross_at(LineId p, LineId q, Point at) const {
+  const std::optional<Passage> a = passage(p, at);
+  const std::optional<Passage> b = passage(q, at);
   return a && b && change_sides(at, a->in, a->out, b->in, b->out);
 }
 
-bool CrossingFinder::meet(const SweepLine& p, const SweepLine& q) const {
+bool CrossingFinder::meet(LineId first, LineId second) const {
+  const Ends p{start(first), end(first)};
+  const Ends q{start(second), end(second)};
   const int pa = side(q.a, q.b, p.a);
   const int pb = side(q.a, q.b, p.b);
   if (pa * pb > 0) return false;
@@ -195,61 +219,85 @@ bool CrossingFinder::meet(const SweepLine& p, const SweepLine& q) const {
   }
   // They touch in an end of one of them, if at all.
   for (const Point at : {q.a, q.b}) {
-    if (on_line(p, at)) return cross_at(p, q, at);
+    if (on_line(p, at)) return cross_at(first, second, at);
   }
   for (const Point at : {p.a, p.b}) {
-    if (on_line(q, at)) return cross_at(p, q, at);
+    if (on_line(q, at)) return cross_at(first, second, at);
   }
   return false;
 }
 
-void CrossingFinder::compare(const SweepLine& p, const SweepLine& q) {
+void CrossingFinder::compare(const Box& p, const Box& q) {
   if (p.high_x < q.low_x || q.high_x < p.low_x || p.high_y < q.low_y ||
       q.high_y < p.low_y || consecutive(p.id, q.id)) {
     return;
   }
-  if (meet(p, q)) found_.push_back({p.id, q.id});
+  if (meet(p.id, q.id)) found_.push_back({p.id, q.id});
 }
 
-/// From left to right, each line with those that reach as far.
-void CrossingFinder::search_sorted() {
-  std::sort(
-      lines_.begin(), lines_.end(),
-      [](const SweepLine& p, const SweepLine& q) { return p.low_x < q.low_x; });
-  active_.clear();
-  for (const SweepLine& line : lines_) {
-    std::size_t kept = 0;
-    for (const SweepLine* other : active_) {
-      if (other->high_x < line.low_x) continue;
-      active_[kept++] = other;
-      compare(line, *other);
+/// Puts a line into a cell, beside those that are there.
+void CrossingFinder::enter(std::int32_t line, std::size_t cell) {
+  Cell& c = cells_[cell];
+  if (c.count < kFew) {
+    const Box& p = lines_[static_cast<std::size_t>(line)];
+    for (std::int32_t e = c.latest; e >= 0;) {
+      const Entry& entry = entries_[static_cast<std::size_t>(e)];
+      compare(p, lines_[static_cast<std::size_t>(entry.line)]);
+      e = entry.before;
     }
-    active_.resize(kept);
-    active_.push_back(&line);
+  } else if (c.count == kFew) {
+    crowded_.push_back(cell);
   }
+  ++c.count;
+  entries_.push_back({line, c.latest});
+  c.latest = static_cast<std::int32_t>(entries_.size() - 1);
 }
 
-void CrossingFinder::search_cell(std::span<const LineId> ids) {
-  constexpr std::size_t kFew = 16;
-  lines_.clear();
-  for (const LineId id : ids) {
-    const Point a = start(id);
-    const Point b = end(id);
-    lines_.push_back({a, b, std::min(a.x, b.x), std::max(a.x, b.x),
-                      std::min(a.y, b.y), std::max(a.y, b.y), id});
+/// All lines of a cell from left to right, each with those that reach as far.
+void CrossingFinder::search_crowded(std::size_t cell) {
+  std::vector<const Box*> lines;
+  for (std::int32_t e = cells_[cell].latest; e >= 0;) {
+    const Entry& entry = entries_[static_cast<std::size_t>(e)];
+    lines.push_back(&lines_[static_cast<std::size_t>(entry.line)]);
+    e = entry.before;
   }
-  if (lines_.size() > kFew) return search_sorted();
-  for (std::size_t i = 1; i < lines_.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) compare(lines_[i], lines_[k]);
+  std::sort(lines.begin(), lines.end(),
+            [](const Box* p, const Box* q) { return p->low_x < q->low_x; });
+  std::vector<const Box*> active;
+  for (const Box* line : lines) {
+    std::size_t kept = 0;
+    for (const Box* other : active) {
+      if (other->high_x < line->low_x) continue;
+      active[kept++] = other;
+      compare(*line, *other);
+    }
+    active.resize(kept);
+    active.push_back(line);
   }
 }
 
 /// Calls `visit` for every cell that the line may reach, some beside it too.
 template <class Visit>
-void for_cells(const Grid& grid, Point a, Point b, const Visit& visit) {
-  if (a.y > b.y) std::swap(a, b);
-  const std::int64_t first = grid.row(a.y);
-  const std::int64_t last = grid.row(b.y);
+void for_cells(const Grid& grid, const Box& line, const Ends& ends,
+               const Visit& visit) {
+  const std::int64_t first = grid.row(line.low_y);
+  const std::int64_t last = grid.row(line.high_y);
+  const auto visit_row = [&](std::int64_t row, std::int64_t low,
+                             std::int64_t high) {
+    const std::int64_t end = grid.column(high);
+    for (std::int64_t c = grid.column(low); c <= end; ++c) {
+      visit(static_cast<std::size_t>(row * grid.columns + c));
+    }
+  };
+  if (first == last || grid.column(line.low_x) == grid.column(line.high_x)) {
+    for (std::int64_t row = first; row <= last; ++row) {
+      visit_row(row, line.low_x, line.high_x);
+    }
+    return;
+  }
+  const bool down = ends.a.y <= ends.b.y;
+  const Point a = down ? ends.a : ends.b;
+  const Point b = down ? ends.b : ends.a;
   const std::int64_t dx = std::int64_t{b.x} - a.x;
   const std::int64_t dy = std::int64_t{b.y} - a.y;
   std::int64_t from = a.x;
@@ -257,16 +305,15 @@ void for_cells(const Grid& grid, Point a, Point b, const Visit& visit) {
     // Where it leaves the row, to within a unit; dx * (y - a.y) < 2^62.
     std::int64_t to = b.x;
     if (row < last) to = a.x + dx * (grid.end_of_row(row) - a.y) / dy;
-    const std::int64_t low = std::max(std::min(from, to) - 1, grid.low_x);
-    const std::int64_t high = std::min(std::max(from, to) + 1, grid.high_x);
-    for (std::int64_t c = grid.column(low); c <= grid.column(high); ++c) {
-      visit(static_cast<std::size_t>(row * grid.columns + c));
-    }
+    visit_row(row, std::max(std::min(from, to) - 1, grid.low_x),
+              std::min(std::max(from, to) + 1, grid.high_x));
     from = to;
   }
 }
 
 bool touches(std::span<const RowRange> rows, Point a, Point b) {
+  if (rows.size() == 1 && rows[0].low <= a.y && a.y <= rows[0].high)
+    return true;
   const auto [low, high] = std::minmax(a.y, b.y);
   const auto range = std::lower_bound(
       rows.begin(), rows.end(), low,
@@ -274,33 +321,34 @@ bool touches(std::span<const RowRange> rows, Point a, Point b) {
   return range != rows.end() && range->low <= high;
 }
 
+void CrossingFinder::find_lines(std::span<const RowRange> rows) {
+  std::size_t most = 0;
+  for (const LineVertices& path : paths_) most += path.size();
+  lines_.reserve(most);
+  for (std::uint32_t path = 0; path < paths_.size(); ++path) {
+    for (std::uint32_t line = 0; line < lines(path); ++line) {
+      const LineId id{path, line};
+      const Point a = start(id);
+      const Point b = end(id);
+      if (!touches(rows, a, b)) continue;
+      lines_.push_back({std::min(a.x, b.x), std::max(a.x, b.x),
+                        std::min(a.y, b.y), std::max(a.y, b.y), id});
+    }
+  }
+}
+
 std::vector<CrossingPair> CrossingFinder::run(std::span<const RowRange> rows,
                                               std::int64_t cell_size) {
   const Grid grid = Grid::around(paths_, cell_size);
-  const auto for_entries = [&](const auto& visit) {
-    for (std::uint32_t path = 0; path < paths_.size(); ++path) {
-      for (std::uint32_t line = 0; line < lines(path); ++line) {
-        const LineId id{path, line};
-        if (!touches(rows, start(id), end(id))) continue;
-        for_cells(grid, start(id), end(id),
-                  [&](std::size_t cell) { visit(cell, id); });
-      }
-    }
-  };
-  // A counting sort by cell: `ends[c]` becomes the end of cell c's entries.
-  std::vector<std::size_t> ends(
-      static_cast<std::size_t>(grid.columns * grid.rows) + 1);
-  for_entries([&](std::size_t cell, LineId) { ++ends[cell + 1]; });
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<LineId> entries(ends.back());
-  for_entries([&](std::size_t cell, LineId id) { entries[ends[cell]++] = id; });
-  std::size_t first = 0;
-  for (const std::size_t end : ends) {
-    if (end - first > 1) {
-      search_cell(std::span(entries).subspan(first, end - first));
-    }
-    first = end;
+  find_lines(rows);
+  cells_.resize(static_cast<std::size_t>(grid.columns * grid.rows));
+  entries_.reserve(2 * lines_.size());
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    for_cells(
+        grid, lines_[i], {start(lines_[i].id), end(lines_[i].id)},
+        [&](std::size_t cell) { enter(static_cast<std::int32_t>(i), cell); });
   }
+  for (const std::size_t cell : crowded_) search_crowded(cell);
   return std::move(found_);
 }
 

@@ -33,10 +33,11 @@ struct RowRange {
 /// than once. `closed[i]`: path i is a ring. Only lines that reach into
 /// `rows`, sorted and apart from each other, are looked at.
 ///
-/// The lines are sorted into square cells of `cell_size` or more, and compared
-/// in each. Time O(L) for L lines that are short or sparse. Memory: 8 bytes
-/// per line and cell that it reaches, 8 per cell, of which there are at most
-/// five times as many as vertices.
+/// Each line goes into the square cells that it reaches, a power of two wide,
+/// `cell_size` or less at first and twice that until there are at most five
+/// cells to a vertex, and is compared with the lines that are there. Time O(L)
+/// for L lines that are short or sparse. Memory: 24 bytes per line, 8 per line
+/// and cell that it reaches, 8 per cell.
 ///
 /// Range: coordinates are within kMaxCoord, so an orientation, the difference
 /// of two products of differences, is below 2^63.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -50,7 +51,7 @@ Status check_tolerance(const Rational& e) {
 }
 
 /// Chains of fewer steps are done before the table of near points is made; that
-/// of the usual tolerance 1 is made once for all drawings.
+/// of the usual tolerance 1 is made once, when all drawings so far have enough.
 constexpr std::size_t kManySteps = std::size_t{1} << 16;
 constexpr std::size_t kSomeSteps = std::size_t{1} << 12;
 
@@ -64,9 +65,13 @@ std::shared_ptr<const NearDirections> near_directions(
   std::size_t steps = 0;
   for (const ChainWalk& chain : chains) steps += chain.size();
   constexpr PathTolerance kOne;
-  if (tolerance.fixed == kOne.fixed && steps >= kSomeSteps) {
-    static const auto of_one = std::make_shared<const NearDirections>(kOne);
-    return of_one;
+  if (tolerance.fixed == kOne.fixed) {
+    static std::atomic<std::size_t> of_all_drawings{0};
+    if (of_all_drawings.load() < kSomeSteps) of_all_drawings += steps;
+    if (of_all_drawings.load() >= kSomeSteps) {
+      static const auto of_one = std::make_shared<const NearDirections>(kOne);
+      return of_one;
+    }
   }
   if (steps < kManySteps) return nullptr;
   return std::make_shared<const NearDirections>(tolerance);

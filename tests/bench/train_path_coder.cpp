@@ -26,8 +26,8 @@ using codec::VectorModel;
 namespace path_warm = codec::path_warm;
 namespace warm = codec::warm;
 
-constexpr std::size_t kMaxCounters = 18'000;  // 72,000 characters
-constexpr std::size_t kMaxVectors = 240;      // 19,000 characters
+constexpr std::size_t kMaxCounters = 150'000;  // 320,000 characters
+constexpr std::size_t kMaxVectors = 1000;      // 78,000 characters
 constexpr double kMaxAge = 30;
 constexpr double kCap = 20;     // observations of one drawing that count
 constexpr double kEnough = 12;  // and for its importance
@@ -129,30 +129,47 @@ class Counters {
       std::uint32_t next = 0;
       for (const auto& [index, sum] : context) {
         if (sum.drawings < 2 || sum.score <= least) continue;
-        for (; index - next > 4095; next += 4095) {
-          text += to_text(4095, 2) + to_text(0, 2);
-        }
-        text += to_text(index - next, 2) + entry(sum);
+        text += passed(index - next) + entry(sum);
         next = index + 1;
       }
-      text += to_text(0, 4);
+      text += to_text(path_warm::kManyPassed, 1) + to_text(0, 1);
     }
     return text;
   }
 
  private:
+  /// The characters for so many indices without a counter.
+  static std::string passed(std::uint32_t count) {
+    std::string text;
+    while (count >= 64) {
+      const std::uint32_t k = std::min(count / 64, 63U);
+      text += to_text(path_warm::kManyPassed, 1) + to_text(k, 1);
+      count -= 64 * k;
+    }
+    if (count >= path_warm::kSomePassed) {
+      text += to_text(path_warm::kSomePassed, 1);
+      count -= path_warm::kSomePassed;
+    }
+    return text + to_text(count, 1);
+  }
+
   static std::string entry(const Sum& sum) {
+    const auto& levels = path_warm::kLevels;
+    const auto& ages = path_warm::kCounterAges;
     const double p =
         std::clamp((sum.ones + 0.4) / (sum.total + 0.8), 0.0005, 0.9995);
-    const double x = std::log(p / (1 - p)) * 256 / 72;
-    const auto level =
-        static_cast<unsigned>(std::clamp(std::lround(x) + 32, 0L, 63L));
+    const double x = std::log(p / (1 - p)) * 256;
+    const auto level = static_cast<unsigned>(
+        std::min_element(
+            levels.begin(), levels.end(),
+            [&](int a, int b) { return std::abs(a - x) < std::abs(b - x); }) -
+        levels.begin());
     const double age = std::min(2 * sum.total / sum.drawings, kMaxAge);
-    unsigned best = 1;
-    for (unsigned i = 1; i < warm::kAges.size(); ++i) {
-      if (warm::kAges[i] <= age) best = i;
+    unsigned best = 0;
+    for (unsigned i = 1; i < ages.size(); ++i) {
+      if (std::sqrt(double{1} * ages[i] * ages[i - 1]) <= age) best = i;
     }
-    return to_text(level, 1) + to_text(best, 1);
+    return to_text(level * static_cast<unsigned>(ages.size()) + best, 1);
   }
 
   std::array<std::map<std::uint32_t, Sum>, 3 * VectorModel::kContexts> sums_;

@@ -50,21 +50,29 @@ class Lines(harness.CliTest):
         self.assertTrue(exact["lossless"])
 
     def test_the_report_names_lines_and_bound(self):
-        result = self.run_cli("compress", "boxes.pbm", "--tolerance", "1.5",
+        result = self.run_cli("compress", "disc.pbm", "--tolerance", "1.5",
                               "--no-arcs", "--effort", "fast")
         self.assertEqual((result.code, result.err), (0, ""))
-        self.assertRegex(result.out, r"^boxes.pbm -> boxes.ustp: 1 page, "
-                         r"90 x 70 px, \d+ paths?, \d+ lines within 1.5 px, "
+        self.assertRegex(result.out, r"^disc.pbm -> disc.ustp: 1 page, "
+                         r"87 x 87 px, 1 path, \d+ lines within 1.5 px, "
                          r"\d+ bytes, .* verified\n$")
 
     def test_a_page_that_is_smaller_than_its_lines_stays_exact(self):
-        report = self.report("boxes.pbm", "--tolerance", "1")
-        self.assertTrue(report["lossless"])
-        exact = self.report("boxes.pbm", "-o", "exact.ustp")
-        self.assertEqual(report["output_bytes"], exact["output_bytes"])
-        lines = self.report("boxes.pbm", "--tolerance", "1", "--effort", "fast")
-        self.assertFalse(lines["lossless"])
-        self.assertGreater(lines["output_bytes"], exact["output_bytes"])
+        for effort in ["fast", "standard"]:
+            report = self.report("boxes.pbm", "--tolerance", "1",
+                                 "--effort", effort)
+            self.assertTrue(report["lossless"])
+            exact = self.report("boxes.pbm", "-o", "exact.ustp",
+                                "--effort", effort)
+            self.assertEqual(report["output_bytes"], exact["output_bytes"])
+
+    def test_many_lines_are_no_larger_than_the_page_either(self):
+        self.write("noise.pbm", pbm(pixels(700, 700, 5)))
+        report = self.report("noise.pbm", "--tolerance", "1", "--no-arcs",
+                             "--effort", "fast")
+        exact = self.report("noise.pbm", "-o", "exact.ustp",
+                            "--effort", "fast")
+        self.assertLessEqual(report["output_bytes"], exact["output_bytes"])
 
     def test_ink_comes_back_near_its_edges(self):
         self.compress("disc.pbm", "--tolerance", "1")
@@ -92,7 +100,7 @@ class Lines(harness.CliTest):
             r"disc.pbm and disc.ustp are the same within the bound: 1 page\n$")
 
     def test_verify_finds_what_is_beyond_the_bound(self):
-        self.compress("disc.pbm", "--tolerance", "0.5", "--effort", "fast")
+        self.compress("disc.pbm", "--tolerance", "1", "--effort", "fast")
         rows = disc(40)
         rows[42] = "".join("#" * 60 + rows[42][60:])
         self.write("other.pbm", pbm(rows))
@@ -100,7 +108,7 @@ class Lines(harness.CliTest):
         self.assertEqual((result.code, result.err), (1, ""))
         self.assertRegex(result.out,
                          r"^other.pbm and disc.ustp differ: deviates by up to "
-                         r"\d+(\.\d+)? px, of 0.5 px allowed, ")
+                         r"\d+(\.\d+)? px, of 1 px allowed, ")
 
     def test_device_lines_come_back_as_the_device_draws_them(self):
         report = self.report("boxes.pbm", "--reverse", "device")

@@ -28,8 +28,9 @@ case ${1:-} in
     fi
     ;;
   finished)
-    # The pattern is split so that this line does not match itself.
-    if text_files | xargs grep -nE 'TO''DO|FIX''ME|XX''X'; then
+    # The pattern is split so that this line does not match itself. Tables of
+    # what was learned are letters by chance.
+    if text_files | grep -v '_warm_start_table\.cpp$' | xargs grep -nE 'TO''DO|FIX''ME|XX''X'; then
       echo "the lines above are marked as unfinished" >&2
       exit 1
     fi
