@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "cli/stored_size.h"
 
@@ -19,34 +21,64 @@ std::size_t count_elements(const Drawing& drawing) {
   return count;
 }
 
-/// Lines of a search; of a small drawing with arcs if that is smaller,
-/// and the page itself if nothing is, as it is with noise.
-Result<Page> cheapest_lines(Page page, const Drawing& chains,
-                            ToleranceOptions options) {
-  const bool arcs = options.arcs;
-  options.aim = LineAim::few_bytes;
-  options.arcs = false;
+/// Beyond this tolerance, in pixels, the lines of a search for it may take more
+/// bytes than those of this one: the prices that guide it are of finer lines.
+constexpr Rational kCoarse{2, 1};
+
+struct Choice {
+  Page page;
+  std::size_t size;
+};
+
+/// Lines within `options`, told as within `declared`, which may be more.
+Result<Choice> searched_lines(const PageInfo& info, const Drawing& chains,
+                              const ToleranceOptions& options,
+                              const Rational& declared) {
   Result<Drawing> lines = reverse_tolerance(chains, options);
   if (!lines) return lines.error();
-  const bool few = count_elements(*lines) <= kFewElements;
-  Page best = page_of_lines(page.info, options.tolerance, *std::move(lines));
-  Result<std::size_t> least = stored_size(best, options.effort);
-  if (!least) return least.error();
-  if (arcs && few) {
-    options.arcs = true;
-    Result<Drawing> mixed = reverse_tolerance(chains, options);
-    if (!mixed) return mixed.error();
-    Page other = page_of_lines(page.info, options.tolerance, *std::move(mixed));
-    const Result<std::size_t> size = stored_size(other, options.effort);
-    if (!size) return size.error();
-    if (*size <= *least) {
-      best = std::move(other);
-      least = *size;
+  Page page = page_of_lines(info, declared, *std::move(lines));
+  const Result<std::size_t> size = stored_size(page, options.effort);
+  if (!size) return size.error();
+  return Choice{std::move(page), *size};
+}
+
+/// The other searches that may be worth their time on a small drawing.
+std::vector<ToleranceOptions> other_searches(const ToleranceOptions& options) {
+  std::vector<ToleranceOptions> others;
+  const auto add = [&](bool arcs, const Rational& tolerance) {
+    others.push_back(options);
+    others.back().arcs = arcs;
+    others.back().tolerance = tolerance;
+  };
+  const Rational& e = options.tolerance;
+  const bool coarse = e.numerator > std::uint64_t{2} * e.denominator;
+  if (coarse) add(false, kCoarse);
+  if (options.arcs) add(true, e);
+  if (options.arcs && coarse) add(true, kCoarse);
+  return others;
+}
+
+/// Lines of a search; of a small drawing those of some, with arcs and finer;
+/// and the page itself if nothing is smaller, as it is with noise.
+Result<Page> cheapest_lines(Page page, const Drawing& chains,
+                            ToleranceOptions options) {
+  options.aim = LineAim::few_bytes;
+  const std::vector<ToleranceOptions> others = other_searches(options);
+  options.arcs = false;
+  Result<Choice> best =
+      searched_lines(page.info, chains, options, options.tolerance);
+  if (!best) return best.error();
+  if (count_elements(best->page.drawing) <= kFewElements) {
+    for (const ToleranceOptions& other : others) {
+      Result<Choice> found =
+          searched_lines(page.info, chains, other, options.tolerance);
+      if (!found) return found.error();
+      if (found->size <= best->size) best = std::move(found);
     }
   }
   const Result<std::size_t> exact = stored_size(page, options.effort);
   if (!exact) return exact.error();
-  return *exact <= *least ? std::move(page) : std::move(best);
+  return *exact <= best->size ? std::move(page) : std::move(best->page);
 }
 
 /// Of drawings of more elements a part is coded first.
