@@ -7,7 +7,9 @@ from decisions import RAW, Vectors, mix
 from entropy import K, STRETCH, Mixer, Refiner, clamp, squash, top, update
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "src/codec"
-AGES = 0, 1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 18, 22, 26, 30, 40
+LEVELS = (-1500, -1000, -720, -510, -350, -220, -120, -36, 36, 120, 220, 350,
+          510, 720, 1000, 1500)
+AGES = 3, 7, 14, 28
 
 
 def texts_of(name):
@@ -81,20 +83,17 @@ class Model:
 def table_1(models):
     """Table 1 of coder 24."""
     counters, weights = texts_of("path_warm_start_table.cpp")
-    context = index = 0
-    for at in range(0, len(counters), 4):
-        high, low, level, age = counters[at:at + 4]
-        passed, n = high << 6 | low, AGES[age % 16]
-        if passed == 0 and n == 0:
-            context, index = context + 1, 0
-            if context == 54:
-                break
-            continue
-        index += passed
-        if n:
-            models[context // 18].tables[context % 18][index] = [
-                squash(72 * (level - 32)), n]
-            index += 1
+    numbers = iter(counters)
+    for model in models:
+        for table in model.tables:
+            index = 0
+            while (passed := next(numbers)) != 63 or (passed := 64 * next(
+                    numbers)):
+                index += passed
+                if passed < 62:
+                    v = next(numbers)
+                    table[index] = [squash(LEVELS[v // 4]), AGES[v % 4]]
+                    index += 1
     for at in range(0, len(weights), 78):
         record = weights[at:at + 78]
         part, set_ = record[0], record[1]
