@@ -11,6 +11,7 @@
 #include "entropy/counter.h"
 #include "entropy/mixer.h"
 #include "entropy/refiner.h"
+#include "entropy/table_memory.h"
 
 namespace unstep::codec {
 
@@ -31,7 +32,8 @@ class DecisionModel {
 
   DecisionModel(int table_bits, std::span<const Weights> initial)
       : table_bits_(table_bits),
-        counters_(kContexts << table_bits),
+        counters_(
+            entropy::make_table(kContexts << table_bits, entropy::Counter{})),
         mixer_(all_selectors(), initial) {
     if constexpr (kRefined) refiners_.assign(2, entropy::Refiner(kSelectors));
   }
@@ -89,7 +91,7 @@ class DecisionModel {
   }
 
   int table_bits_;
-  std::vector<entropy::Counter> counters_;
+  entropy::Table<entropy::Counter> counters_;
   entropy::Mixer<kInputs, kSets> mixer_;
   std::vector<entropy::Refiner> refiners_;
   Values values_{};

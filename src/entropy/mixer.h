@@ -124,13 +124,17 @@ class Mixer {
   /// 12 fractional bits. REQUIRES: initial is not empty.
   Mixer(const std::array<std::size_t, kSets>& selectors,
         std::span<const std::array<std::int16_t, kInputs>> initial) {
+    std::vector<Inputs> scaled(initial.begin(), initial.end());
+    for (Inputs& vector : scaled) {
+      for (std::int16_t& w : vector) {
+        w = static_cast<std::int16_t>(std::clamp(w * 4, -32768, 32767));
+      }
+    }
     for (std::size_t s = 0; s < kSets; ++s) {
       weights_[s].reserve(selectors[s] * kInputs);
       for (std::size_t k = 0; k < selectors[s]; ++k) {
-        for (const std::int16_t w : initial[k % initial.size()]) {
-          weights_[s].push_back(
-              static_cast<std::int16_t>(std::clamp(w * 4, -32768, 32767)));
-        }
+        const Inputs& vector = scaled[k % scaled.size()];
+        weights_[s].insert(weights_[s].end(), vector.begin(), vector.end());
       }
       ages_[s].resize(selectors[s]);
     }

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <new>
+#include <type_traits>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -61,6 +64,22 @@ template <class T>
   auto* table = static_cast<T*>(std::calloc(size, sizeof(T)));
   if (table == nullptr) throw std::bad_alloc();
   return Table<T>(table, FreeTable{});
+}
+
+/// `size` copies of `value`, for types for which zeros are none. Copied in
+/// growing parts: of a small file this is most of the work.
+template <class T>
+[[nodiscard]] Table<T> make_table(std::size_t size, const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  Table<T> table = make_table<T>(size);
+  if (size == 0) return table;
+  table[0] = value;
+  for (std::size_t done = 1; done < size;) {
+    const std::size_t more = std::min(done, size - done);
+    std::memcpy(table.get() + done, table.get(), more * sizeof(T));
+    done += more;
+  }
+  return table;
 }
 
 }  // namespace unstep::entropy
