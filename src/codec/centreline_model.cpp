@@ -28,12 +28,10 @@ CentrelineModel::CentrelineModel(const PixelPlanes& planes,
                                  const VertexRulers& rulers, int table_bits)
     : planes_(planes),
       rulers_(rulers),
-      table_bits_(table_bits),
-      slots_(kContexts << table_bits),
+      slots_(table_bits),
       mixer_(all_vectors(), std::span(kInitialWeights).first<kNodes>()),
       refiners_{entropy::Refiner(2 * kVectors[0]),
                 entropy::Refiner(2 * kVectors[1])} {
-  for (Slot& slot : slots_) slot.p.fill(32768);
   for (std::size_t set = 0; set < kSets; ++set) {
     for (std::size_t k = kVectors[set]; k < 2 * kVectors[set]; ++k) {
       Weights weights = kInitialWeights[kNodes + k % kNodes];
@@ -46,7 +44,7 @@ CentrelineModel::CentrelineModel(const PixelPlanes& planes,
 }
 
 std::uint64_t CentrelineModel::memory(int table_bits) {
-  return (sizeof(Slot) * kContexts << table_bits) + (std::uint64_t{2} << 20);
+  return Slots::memory(table_bits) + (std::uint64_t{2} << 20);
 }
 
 void CentrelineModel::begin_line(Point at, Step direction, int turn) {
@@ -154,57 +152,26 @@ void CentrelineModel::look_around() {
 
 void CentrelineModel::ask_slots(unsigned found) {
   for (std::size_t i = 0; i < kContexts; ++i) {
-    const std::uint64_t value =
-        found == 0 ? values_[i] : mix(values_[i], found);
-    const std::uint64_t hash = (value + i) * kGolden;
-    Slot* slot = &slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
-    __builtin_prefetch(slot, 1);
-    next_[i] = slot;
-    checks_[i] = static_cast<std::uint16_t>(hash >> 8);
+    slots_.ask(i, found == 0 ? values_[i] : mix(values_[i], found));
   }
   if (found == 0) return;
   for (std::size_t set = 0; set < kSets; ++set) sight_[set] += kVectors[set];
 }
 
-void CentrelineModel::learn() {
-  for (std::size_t lane = 0; lane < decided_; ++lane) {
-    const auto [node, bit] = decisions_[lane];
-    mixer_.update(bit, lane);
-    for (Slot* slot : active_) {
-      std::uint8_t& n = slot->n[node];
-      slot->p[node] =
-          entropy::moved(slot->p[node], bit, entropy::detail::kRates[n]);
-      n = static_cast<std::uint8_t>(n + (n < entropy::Counter::kLimit ? 1 : 0));
-    }
-  }
-  decided_ = 0;
-}
-
-void CentrelineModel::recall() {
-  active_ = next_;
+/// Learns the decisions of before; those to come see what was asked for.
+void CentrelineModel::learn_last() {
+  slots_.learn(
+      [this](bool bit, std::size_t lane) { mixer_.update(bit, lane); });
+  slots_.recall();
   selectors_ = sight_;
-  for (std::size_t i = 0; i < kContexts; ++i) {
-    Slot& slot = *active_[i];
-    if (slot.check == checks_[i]) continue;
-    slot.p.fill(32768);
-    slot.n.fill(0);
-    slot.check = checks_[i];
-  }
 }
 
 int CentrelineModel::probability(Node node) {
-  decisions_[decided_].node = node;
-  auto& inputs = mixer_.inputs(decided_);
-  for (std::size_t i = 0; i < kContexts; ++i) {
-    const Slot& slot = *active_[i];
-    inputs[i] = static_cast<std::int16_t>(entropy::stretch(slot.p[node]));
-    inputs[i + 16] = static_cast<std::int16_t>(
-        ((slot.p[node] - 32768) * kTrust[slot.n[node]]) >> 16);
-  }
-  inputs[kContexts] = 77;
+  auto& inputs = mixer_.inputs(slots_.lane());
+  slots_.predict(node, inputs);
   Selectors chosen = selectors_;
   for (std::size_t& vector : chosen) vector += node;
-  const int x = mixer_.mix(chosen, decided_);
+  const int x = mixer_.mix(chosen, slots_.lane());
   const int p = 2 * entropy::squash(x) + refiners_[0].refine(x, chosen[0]) +
                 refiners_[1].refine(x, chosen[1]);
   return std::clamp(p / 4, 4, 65532);

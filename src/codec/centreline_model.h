@@ -3,13 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "codec/chain_match.h"
 #include "codec/dss_state.h"
+#include "codec/node_slots.h"
 #include "codec/pixel_planes.h"
 #include "codec/vertex_rulers.h"
-#include "entropy/counter.h"
 #include "entropy/mixer.h"
 #include "entropy/refiner.h"
 #include "unstep/grid.h"
@@ -56,8 +55,7 @@ class CentrelineModel {
   unsigned code(Coder& coder, unsigned unknown, unsigned truth) {
     look_around();
     ask_slots(0);
-    learn();
-    recall();
+    learn_last();
     unsigned rest = unknown;
     unsigned first = 0;
     for (const std::uint8_t turn : kOrder) {
@@ -87,6 +85,7 @@ class CentrelineModel {
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
+  using Slots = NodeSlots<kContexts, kNodes>;
   /// A decision about a pixel, or whether there are more pixels of ink after
   /// the first, straight ahead or not.
   enum Node : std::uint8_t {
@@ -101,15 +100,6 @@ class CentrelineModel {
   };
   static constexpr std::array<Node, 8> kNodeOf{
       kAhead, kLeft, kFarLeft, kBehind, kBehind, kBehind, kFarRight, kRight};
-  struct alignas(32) Slot {  ///< a context's memory: a counter for each node
-    std::array<std::uint16_t, kNodes> p;
-    std::array<std::uint8_t, kNodes> n;
-    std::uint16_t check;
-  };
-  struct Decision {  ///< one that is not yet learned from
-    Node node;
-    bool bit;
-  };
   struct Trail {
     Point at;
     std::uint64_t area;  ///< modulo 2^64: a long walk may wind many times
@@ -121,8 +111,7 @@ class CentrelineModel {
   unsigned code_more(Coder& coder, unsigned first, unsigned rest,
                      unsigned truth) {
     ask_slots(first);
-    learn();
-    recall();
+    learn_last();
     unsigned found = 0;
     for (const std::uint8_t turn : kOrder) {
       const unsigned bit = 1U << turn;
@@ -139,15 +128,14 @@ class CentrelineModel {
   template <class Coder>
   bool decide(Coder& coder, Node node, bool bit) {
     bit = coder.code(bit, probability(node));
-    decisions_[decided_++].bit = bit;
+    slots_.note(node, bit);
     for (entropy::Refiner& refiner : refiners_) refiner.learn(bit);
     return bit;
   }
 
   void look_around();
   void ask_slots(unsigned found);
-  void learn();
-  void recall();
+  void learn_last();
   int probability(Node node);
   [[nodiscard]] std::uint64_t chord(std::uint32_t steps) const;
   [[nodiscard]] unsigned bulge(std::uint32_t steps) const;
@@ -155,8 +143,7 @@ class CentrelineModel {
 
   const PixelPlanes& planes_;
   const VertexRulers& rulers_;
-  int table_bits_;
-  std::vector<Slot> slots_;
+  Slots slots_;
   entropy::Mixer<kInputs, kSets, kNodes> mixer_;
   std::array<entropy::Refiner, 2> refiners_;
   ChainMatch match_;
@@ -176,12 +163,7 @@ class CentrelineModel {
   // What is seen, the slots asked for, and the predictions not yet learned.
   std::array<std::uint64_t, kContexts> values_{};
   Selectors sight_{};
-  std::array<Slot*, kContexts> next_{};
-  std::array<std::uint16_t, kContexts> checks_{};
-  std::array<Slot*, kContexts> active_{};
   Selectors selectors_{};
-  std::array<Decision, kNodes> decisions_{};
-  std::size_t decided_ = 0;
 };
 
 }  // namespace unstep::codec

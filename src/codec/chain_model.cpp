@@ -15,12 +15,9 @@ constexpr std::uint64_t kNoHistory = 0x4924924924924924ULL;
 }  // namespace
 
 ChainModel::ChainModel(int table_bits)
-    : table_bits_(table_bits),
-      slots_(kContexts << table_bits),
+    : slots_(table_bits),
       mixer_({64, 512, 1024}, kInitialWeights),
-      visits_(table_bits) {
-  for (Slot& slot : slots_) slot.p.fill(32768);
-}
+      visits_(table_bits) {}
 
 void ChainModel::begin(const ChainHead& head) {
   origin_ = head.origin;
@@ -92,14 +89,6 @@ std::uint64_t ChainModel::rows_below() const {
   return (recent & 0x1ff) << 5 | below << 3 | direction_;
 }
 
-void ChainModel::set_context(std::size_t i, std::uint64_t value) {
-  const std::uint64_t hash = (value + i) * kGolden;
-  Slot* slot = &slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
-  __builtin_prefetch(slot, 1);
-  next_[i] = slot;
-  checks_[i] = static_cast<std::uint16_t>(hash >> 8);
-}
-
 void ChainModel::ask_slots() {
   const std::uint64_t base =
       (closed_ ? 1U : 0U) | (four_ ? 2U : 0U) | (direction_ & 1U) << 2;
@@ -122,70 +111,45 @@ void ChainModel::ask_slots() {
   const unsigned guess = level > 0 ? match_.prediction() : 0;
   const std::uint64_t way_home = home();
 
-  set_context(0, mix(history(1), base));
-  set_context(1, mix(history(3), base));
-  set_context(2, mix(history(5), base));
-  set_context(3, mix(history(8), base));
-  set_context(4, mix(history(12), base));
-  set_context(5, mix(run(0, 255) << 8 | run(1, 255), mix(bends & 63, base)));
-  set_context(6, mix((run(0, 127) << 7 | run(1, 127)) << 14 | run(2, 127) << 7 |
-                         run(3, 127),
-                     mix(bends, base)));
-  set_context(7, mix(near, mix(history(2), base)));
-  set_context(8, mix(all, mix(history(1), base)));
-  set_context(
-      9, mix(verdict << 8 | dss_.previous_length(), mix(history(2), base)));
-  set_context(10, mix(verdict, mix(history(4), base)));
-  set_context(11, mix(chord(16), mix(bulge(16) << 9 | history(3), base)));
-  set_context(12, mix(chord(32), mix(bulge(32) << 9 | history(3), base)));
-  set_context(13, mix(level << 3 | guess, mix(history(2), base)));
-  set_context(14, way_home != 0 ? mix(way_home, mix(history(1), base + 8))
-                                : mix(rows_below(), base));
+  slots_.ask(0, mix(history(1), base));
+  slots_.ask(1, mix(history(3), base));
+  slots_.ask(2, mix(history(5), base));
+  slots_.ask(3, mix(history(8), base));
+  slots_.ask(4, mix(history(12), base));
+  slots_.ask(5, mix(run(0, 255) << 8 | run(1, 255), mix(bends & 63, base)));
+  slots_.ask(6, mix((run(0, 127) << 7 | run(1, 127)) << 14 | run(2, 127) << 7 |
+                        run(3, 127),
+                    mix(bends, base)));
+  slots_.ask(7, mix(near, mix(history(2), base)));
+  slots_.ask(8, mix(all, mix(history(1), base)));
+  slots_.ask(9,
+             mix(verdict << 8 | dss_.previous_length(), mix(history(2), base)));
+  slots_.ask(10, mix(verdict, mix(history(4), base)));
+  slots_.ask(11, mix(chord(16), mix(bulge(16) << 9 | history(3), base)));
+  slots_.ask(12, mix(chord(32), mix(bulge(32) << 9 | history(3), base)));
+  slots_.ask(13, mix(level << 3 | guess, mix(history(2), base)));
+  slots_.ask(14, way_home != 0 ? mix(way_home, mix(history(1), base + 8))
+                               : mix(rows_below(), base));
   next_selectors_ = {
       std::min<std::size_t>(std::bit_width(runs_[0]), 7) * 8,
       static_cast<std::size_t>(history(2)) * 8,
       (level * 8 + guess) * 8 + (rings.one != 0 && ahead != 0 ? 512U : 0U)};
 }
 
-void ChainModel::learn() {
-  for (std::size_t lane = 0; lane < decided_; ++lane) {
-    const auto [node, bit] = decisions_[lane];
-    mixer_.update(bit, lane);
-    for (Slot* slot : active_) {
-      std::uint8_t& n = slot->n[node];
-      slot->p[node] =
-          entropy::moved(slot->p[node], bit, entropy::detail::kRates[n]);
-      n = static_cast<std::uint8_t>(n + (n < entropy::Counter::kLimit ? 1 : 0));
-    }
-  }
-  decided_ = 0;
-}
-
-void ChainModel::recall() {
-  active_ = next_;
+/// Learns the decisions of before; those to come see what was asked for.
+void ChainModel::learn_last() {
+  slots_.learn(
+      [this](bool bit, std::size_t lane) { mixer_.update(bit, lane); });
+  slots_.recall();
   selectors_ = next_selectors_;
-  for (std::size_t i = 0; i < kContexts; ++i) {
-    Slot& slot = *active_[i];
-    if (slot.check == checks_[i]) continue;
-    slot.p.fill(32768);
-    slot.n.fill(0);
-    slot.check = checks_[i];
-  }
 }
 
 int ChainModel::probability(Node node) {
-  decisions_[decided_].node = node;
-  auto& inputs = mixer_.inputs(decided_);
-  for (std::size_t i = 0; i < kContexts; ++i) {
-    const Slot& slot = *active_[i];
-    inputs[i] = static_cast<std::int16_t>(entropy::stretch(slot.p[node]));
-    inputs[i + 16] = static_cast<std::int16_t>(
-        ((slot.p[node] - 32768) * kTrust[slot.n[node]]) >> 16);
-  }
-  inputs[kContexts] = 77;
+  auto& inputs = mixer_.inputs(slots_.lane());
+  slots_.predict(node, inputs);
   const int x = mixer_.mix(
       {selectors_[0] + node, selectors_[1] + node, selectors_[2] + node},
-      decided_);
+      slots_.lane());
   return std::clamp(entropy::squash(x), 4, 65532);
 }
 

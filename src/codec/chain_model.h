@@ -3,13 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "codec/chain_coder.h"
 #include "codec/chain_match.h"
 #include "codec/chain_visits.h"
 #include "codec/dss_state.h"
-#include "entropy/counter.h"
+#include "codec/node_slots.h"
 #include "entropy/mixer.h"
 
 namespace unstep::codec {
@@ -42,8 +41,7 @@ class ChainModel {
     // The order hides the latency of the slots: the first asks for them, the
     // second works on those of the step before.
     ask_slots();
-    learn();
-    recall();
+    learn_last();
     const unsigned turn =
         code_turn(coder, (step - direction_) & 7U, four_ ? 0x55 : 0xff);
     step = static_cast<Step>((direction_ + turn) & 7U);
@@ -56,6 +54,7 @@ class ChainModel {
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
+  using Slots = NodeSlots<kContexts, kDecisions>;
   /// The binary decisions of a turn: whether there is one, to which side, and
   /// whether it is beyond 1, 2, 3 eighths.
   enum Node : std::uint8_t {
@@ -67,15 +66,6 @@ class ChainModel {
     kRight2,
     kRight3,
     kNodes
-  };
-  struct alignas(32) Slot {  ///< a context's memory: a counter for each node
-    std::array<std::uint16_t, 8> p;
-    std::array<std::uint8_t, 8> n;
-    std::uint16_t check;
-  };
-  struct Decision {  ///< one that is not yet learned from
-    Node node;
-    bool bit;
   };
   struct Trail {
     Point at;
@@ -90,7 +80,7 @@ class ChainModel {
       bool one = ones != 0;
       if (one && ones != allowed) {
         one = coder.code((ones >> turn & 1) != 0, probability(node));
-        decisions_[decided_++].bit = one;
+        slots_.note(node, one);
       }
       allowed = one ? ones : allowed & ~ones;
       return one;
@@ -106,9 +96,7 @@ class ChainModel {
   }
 
   void ask_slots();
-  void set_context(std::size_t i, std::uint64_t value);
-  void learn();
-  void recall();
+  void learn_last();
   int probability(Node node);
   void advance(unsigned turn);
   [[nodiscard]] std::uint64_t chord(std::uint32_t steps) const;
@@ -116,8 +104,7 @@ class ChainModel {
   [[nodiscard]] std::uint64_t home() const;
   [[nodiscard]] std::uint64_t rows_below() const;
 
-  int table_bits_;
-  std::vector<Slot> slots_;
+  Slots slots_;
   entropy::Mixer<kInputs, 3, kDecisions> mixer_;
   ChainMatch match_;
   ChainVisits visits_;
@@ -138,13 +125,8 @@ class ChainModel {
   DssState dss_;
 
   // The slots asked for, and the prediction in progress or not yet learned.
-  std::array<Slot*, kContexts> next_{};
-  std::array<std::uint16_t, kContexts> checks_{};
   std::array<std::size_t, 3> next_selectors_{};
-  std::array<Slot*, kContexts> active_{};
   std::array<std::size_t, 3> selectors_{};
-  std::array<Decision, kDecisions> decisions_{};
-  std::size_t decided_ = 0;
 };
 
 }  // namespace unstep::codec
