@@ -9,9 +9,6 @@
 namespace unstep::codec {
 namespace {
 
-/// Stands for the turns before the first step.
-constexpr std::uint64_t kNoHistory = 0x4924924924924924ULL;
-
 /// Vectors of each set for the first pixels; as many follow for those beside.
 constexpr std::array<std::size_t, CentrelineModel::kSets> kVectors{
     64, 512, 1024, 256, 256};
@@ -48,106 +45,70 @@ std::uint64_t CentrelineModel::memory(int table_bits) {
 }
 
 void CentrelineModel::begin_line(Point at, Step direction, int turn) {
-  origin_ = at;
-  direction_ = direction;
-  history_ = kNoHistory;
-  runs_ = {};
-  bends_ = {};
-  steps_ = 0;
-  here_ = {at, 0};
-  trail_[0] = here_;
   dss_.reset();
-  if (turn < 0) return;
+  if (turn < 0) return track_.begin(at, direction);
   const Point move = step_delta(direction, YAxis::down);
-  here_.at = origin_ = {at.x - move.x, at.y - move.y};
-  direction_ = static_cast<Step>((direction - turn) & 7);
-  trail_[0] = here_;
+  track_.begin({at.x - move.x, at.y - move.y},
+               static_cast<Step>((direction - turn) & 7));
   advance(static_cast<unsigned>(turn));
-}
-
-/// The last steps as a vector, in the frame of the current quarter.
-std::uint64_t CentrelineModel::chord(std::uint32_t steps) const {
-  if (steps_ < steps) return 0;
-  const Point from = trail_[(steps_ - steps) % trail_.size()].at;
-  std::int32_t dx = here_.at.x - from.x;
-  std::int32_t dy = here_.at.y - from.y;
-  for (unsigned q = 0; q < direction_ / 2U; ++q) {
-    const std::int32_t t = dx;
-    dx = -dy;
-    dy = t;
-  }
-  return static_cast<std::uint64_t>((dx + 128) << 9 | (dy + 128) << 1 |
-                                    (direction_ & 1));
-}
-
-/// Doubled area between the last steps and their chord (F of SU 1089551).
-unsigned CentrelineModel::bulge(std::uint32_t steps) const {
-  if (steps_ < steps) return 0;
-  const Trail& from = trail_[(steps_ - steps) % trail_.size()];
-  const std::int64_t dx = std::int64_t{here_.at.x} - from.at.x;
-  const std::int64_t dy = std::int64_t{here_.at.y} - from.at.y;
-  const std::int64_t x = std::int64_t{from.at.x} - origin_.x;
-  const std::int64_t y = std::int64_t{from.at.y} - origin_.y;
-  return quantise_area(static_cast<std::int64_t>(here_.area - from.area) -
-                       (y * dx - x * dy));
 }
 
 /// The way to the start of the piece if it is near, else 0.
 std::uint64_t CentrelineModel::home() const {
   constexpr std::int32_t kNear = 20;
-  const std::int32_t dx = start_.x - here_.at.x;
-  const std::int32_t dy = start_.y - here_.at.y;
+  const std::int32_t dx = start_.x - track_.position().x;
+  const std::int32_t dy = start_.y - track_.position().y;
   if (std::abs(dx) > kNear || std::abs(dy) > kNear) return 0;
   return static_cast<std::uint64_t>((dx + 32) << 7 | (dy + 32));
 }
 
 void CentrelineModel::look_around() {
-  const std::uint64_t base =
-      (direction_ & 1U) | std::uint64_t{std::min(steps_, 3U)} << 1;
-  const auto history = [&](unsigned turns) {
-    return history_ & ((std::uint64_t{1} << (3 * turns)) - 1);
+  const std::uint64_t base = (track_.direction() & 1U) |
+                             std::uint64_t{std::min(track_.steps(), 3U)} << 1;
+  const auto history = [this](unsigned turns) { return track_.history(turns); };
+  const auto run = [this](std::size_t k, std::uint32_t limit) {
+    return track_.run(k, limit);
   };
-  const auto run = [&](std::size_t k, std::uint32_t limit) {
-    return std::uint64_t{std::min(runs_[k], limit)};
-  };
-  const std::uint64_t bends =
-      bends_[0] | std::uint64_t{bends_[1]} << 3 | std::uint64_t{bends_[2]} << 6;
+  const std::uint64_t bends = track_.bends();
   const PixelPatch patch = pixel_patch::at(
-      planes_, planes_.at(here_.at.x, here_.at.y), direction_ / 2U);
+      planes_, planes_.at(track_.position().x, track_.position().y),
+      track_.direction() / 2U);
   const std::uint64_t near = pixel_patch::near(patch);
   const std::uint64_t all = pixel_patch::all(patch);
-  const std::uint64_t grid =
-      rulers_.column(here_.at.x) << 6 | rulers_.row(here_.at.y);
-  const std::uint64_t verdict = dss_.verdict(direction_);
+  const std::uint64_t grid = rulers_.column(track_.position().x) << 6 |
+                             rulers_.row(track_.position().y);
+  const std::uint64_t verdict = dss_.verdict(track_.direction());
   const unsigned level = match_.confidence();
   const unsigned guess = level > 0 ? match_.prediction() : 0;
   const std::uint64_t way_home = home();
 
-  values_ = {mix(near, mix(history(2), base)),
-             mix(near, mix(history(6), base)),
-             mix(history(12), base),
-             mix(run(0, 255) << 8 | run(1, 255), mix(bends & 63, base)),
-             mix((run(0, 127) << 7 | run(1, 127)) << 14 | run(2, 127) << 7 |
-                     run(3, 127),
-                 mix(bends, base)),
-             mix(all, mix(history(1), base)),
-             mix(verdict << 8 | dss_.previous_length(), mix(history(2), base)),
-             mix(verdict, mix(history(4), base)),
-             mix(chord(16), mix(bulge(16) << 9 | history(3), base)),
-             mix(chord(32), mix(bulge(32) << 9 | history(3), base)),
-             mix(level << 3 | guess, mix(history(2), base)),
-             way_home != 0 ? mix(way_home, mix(history(1), direction_))
-                           : mix(history(3) << 3 | direction_, 99),
-             mix(grid, mix(near, direction_)),
-             mix(grid, mix(history(2), base)),
-             mix(verdict, mix(grid, base))};
+  values_ = {
+      mix(near, mix(history(2), base)),
+      mix(near, mix(history(6), base)),
+      mix(history(12), base),
+      mix(run(0, 255) << 8 | run(1, 255), mix(bends & 63, base)),
+      mix((run(0, 127) << 7 | run(1, 127)) << 14 | run(2, 127) << 7 |
+              run(3, 127),
+          mix(bends, base)),
+      mix(all, mix(history(1), base)),
+      mix(verdict << 8 | dss_.previous_length(), mix(history(2), base)),
+      mix(verdict, mix(history(4), base)),
+      mix(track_.chord(16), mix(track_.bulge(16) << 9 | history(3), base)),
+      mix(track_.chord(32), mix(track_.bulge(32) << 9 | history(3), base)),
+      mix(level << 3 | guess, mix(history(2), base)),
+      way_home != 0 ? mix(way_home, mix(history(1), track_.direction()))
+                    : mix(history(3) << 3 | track_.direction(), 99),
+      mix(grid, mix(near, track_.direction())),
+      mix(grid, mix(history(2), base)),
+      mix(verdict, mix(grid, base))};
 
-  sight_ = {std::min<std::size_t>(std::bit_width(runs_[0]), 7) * kNodes,
-            static_cast<std::size_t>(history(2)) * kNodes,
-            (level * 8 + guess) * kNodes +
-                ((patch.ink & pixel_patch::kOuter) != 0 ? 512U : 0U),
-            static_cast<std::size_t>(verdict >> 5 & 31) * kNodes,
-            (std::min(steps_, 15U) * 2 + (way_home != 0 ? 1U : 0U)) * kNodes};
+  sight_ = {
+      std::min<std::size_t>(std::bit_width(track_.run(0, 255)), 7) * kNodes,
+      static_cast<std::size_t>(history(2)) * kNodes,
+      (level * 8 + guess) * kNodes +
+          ((patch.ink & pixel_patch::kOuter) != 0 ? 512U : 0U),
+      static_cast<std::size_t>(verdict >> 5 & 31) * kNodes,
+      (std::min(track_.steps(), 15U) * 2 + (way_home != 0 ? 1U : 0U)) * kNodes};
 }
 
 void CentrelineModel::ask_slots(unsigned found) {
@@ -179,22 +140,8 @@ int CentrelineModel::probability(Node node) {
 
 void CentrelineModel::advance(unsigned turn) {
   match_.push(turn);
-  history_ = history_ << 3 | turn;
-  if (turn == 0) {
-    ++runs_[0];
-  } else {
-    runs_ = {0, runs_[0], runs_[1], runs_[2]};
-    bends_ = {static_cast<std::uint8_t>(turn), bends_[0], bends_[1]};
-  }
-  direction_ = static_cast<Step>((direction_ + turn) & 7U);
-  dss_.push(direction_);
-  const Point move = step_delta(direction_, YAxis::down);
-  here_.area += static_cast<std::uint64_t>(
-      (std::int64_t{here_.at.y} - origin_.y) * move.x -
-      (std::int64_t{here_.at.x} - origin_.x) * move.y);
-  here_.at.x += move.x;
-  here_.at.y += move.y;
-  trail_[++steps_ % trail_.size()] = here_;
+  track_.advance(turn);
+  dss_.push(track_.direction());
 }
 
 }  // namespace unstep::codec

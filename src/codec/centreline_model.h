@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "codec/chain_match.h"
+#include "codec/chain_track.h"
 #include "codec/dss_state.h"
 #include "codec/node_slots.h"
 #include "codec/pixel_planes.h"
@@ -77,9 +78,9 @@ class CentrelineModel {
   /// The line goes on by this turn.
   void advance(unsigned turn);
 
-  [[nodiscard]] Point position() const { return here_.at; }
-  [[nodiscard]] Step direction() const { return direction_; }
-  [[nodiscard]] std::uint32_t steps() const { return steps_; }
+  [[nodiscard]] Point position() const { return track_.position(); }
+  [[nodiscard]] Step direction() const { return track_.direction(); }
+  [[nodiscard]] std::uint32_t steps() const { return track_.steps(); }
 
   /// For the training of kInitialWeights.
   [[nodiscard]] const auto& mixer() const { return mixer_; }
@@ -100,10 +101,6 @@ class CentrelineModel {
   };
   static constexpr std::array<Node, 8> kNodeOf{
       kAhead, kLeft, kFarLeft, kBehind, kBehind, kBehind, kFarRight, kRight};
-  struct Trail {
-    Point at;
-    std::uint64_t area;  ///< modulo 2^64: a long walk may wind many times
-  };
   using Selectors = std::array<std::size_t, kSets>;
 
   /// Pixels of ink after the first: one at least, so the last needs no code.
@@ -137,8 +134,6 @@ class CentrelineModel {
   void ask_slots(unsigned found);
   void learn_last();
   int probability(Node node);
-  [[nodiscard]] std::uint64_t chord(std::uint32_t steps) const;
-  [[nodiscard]] unsigned bulge(std::uint32_t steps) const;
   [[nodiscard]] std::uint64_t home() const;
 
   const PixelPlanes& planes_;
@@ -150,14 +145,7 @@ class CentrelineModel {
 
   // The line.
   Point start_;  ///< of the piece of ink
-  Point origin_;
-  Step direction_ = 0;
-  std::uint64_t history_ = 0;            ///< three bits a turn, latest lowest
-  std::array<std::uint32_t, 4> runs_{};  ///< steps since the last turns
-  std::array<std::uint8_t, 3> bends_{};  ///< the last turns that were some
-  std::uint32_t steps_ = 0;              ///< since the start, modulo 2^32
-  Trail here_{};
-  std::array<Trail, 64> trail_{};  ///< the last positions, by steps_ % 64
+  ChainTrack track_{YAxis::down};
   DssState dss_{8};
 
   // What is seen, the slots asked for, and the predictions not yet learned.

@@ -6,6 +6,7 @@
 
 #include "codec/chain_coder.h"
 #include "codec/chain_match.h"
+#include "codec/chain_track.h"
 #include "codec/chain_visits.h"
 #include "codec/dss_state.h"
 #include "codec/node_slots.h"
@@ -43,12 +44,12 @@ class ChainModel {
     ask_slots();
     learn_last();
     const unsigned turn =
-        code_turn(coder, (step - direction_) & 7U, four_ ? 0x55 : 0xff);
-    step = static_cast<Step>((direction_ + turn) & 7U);
+        code_turn(coder, (step - track_.direction()) & 7U, four_ ? 0x55 : 0xff);
+    step = static_cast<Step>((track_.direction() + turn) & 7U);
     advance(turn);
   }
 
-  [[nodiscard]] Point position() const { return here_.at; }
+  [[nodiscard]] Point position() const { return track_.position(); }
 
   /// For the training of kInitialWeights.
   [[nodiscard]] const auto& mixer() const { return mixer_; }
@@ -66,10 +67,6 @@ class ChainModel {
     kRight2,
     kRight3,
     kNodes
-  };
-  struct Trail {
-    Point at;
-    std::uint64_t area;  ///< modulo 2^64: a long walk may wind many times
   };
 
   template <class Coder>
@@ -99,8 +96,6 @@ class ChainModel {
   void learn_last();
   int probability(Node node);
   void advance(unsigned turn);
-  [[nodiscard]] std::uint64_t chord(std::uint32_t steps) const;
-  [[nodiscard]] unsigned bulge(std::uint32_t steps) const;
   [[nodiscard]] std::uint64_t home() const;
   [[nodiscard]] std::uint64_t rows_below() const;
 
@@ -110,18 +105,10 @@ class ChainModel {
   ChainVisits visits_;
 
   // The chain.
-  Point origin_;
+  ChainTrack track_{YAxis::up};
   bool closed_ = false;
   bool four_ = false;
 
-  // What it did.
-  Step direction_ = 0;
-  std::uint64_t history_ = 0;            ///< three bits a turn, latest lowest
-  std::array<std::uint32_t, 4> runs_{};  ///< steps since the last turns
-  std::array<std::uint8_t, 3> bends_{};  ///< the last turns that were some
-  std::uint32_t steps_ = 0;              ///< since the start, modulo 2^32
-  Trail here_{};
-  std::array<Trail, 64> trail_{};  ///< the last positions, by steps_ % 64
   DssState dss_;
 
   // The slots asked for, and the prediction in progress or not yet learned.
