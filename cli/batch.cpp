@@ -34,7 +34,7 @@ struct BatchOptions {
   bool quiet = false;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kBatchExamples =
     "  unstep batch scans -o packed            the tree of scans/ in packed/\n"
     "  unstep batch 'scans/*/p*.tif' -o packed --resume --report log.json\n"
     "  unstep batch @list.txt -o packed        one path per line\n"
@@ -251,7 +251,7 @@ void add_batch(CLI::App& app, Context& context) {
   add_jobs(*verb, options->job.read.jobs);
   add_limits(*verb, options->job.read.limits);
   add_quiet(*verb, options->quiet);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kBatchExamples);
   verb->callback([&context, options] {
     context.run = [options] { return batch(*options); };
   });

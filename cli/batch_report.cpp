@@ -14,14 +14,14 @@ namespace unstep::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Status = JobResult::Status;
+using JobStatus = JobResult::Status;
 
-std::string_view status_name(Status status) {
+std::string_view status_name(JobStatus status) {
   switch (status) {
-    case Status::done: return "done";
-    case Status::skipped: return "skipped";
-    case Status::failed: return "failed";
-    case Status::not_run: return "not_run";
+    case JobStatus::done: return "done";
+    case JobStatus::skipped: return "skipped";
+    case JobStatus::failed: return "failed";
+    case JobStatus::not_run: return "not_run";
   }
   return "";
 }
@@ -41,7 +41,7 @@ Json to_json(const BatchInput& input, const JobResult& result) {
                {"lossless", result.lossless},
                {"pixel_work", result.pixel_work},
                {"notes", result.notes}};
-  if (result.status == Status::failed) json["error"] = to_json(result.error);
+  if (result.status == JobStatus::failed) json["error"] = to_json(result.error);
   return json;
 }
 
@@ -53,15 +53,15 @@ BatchTotals sum_up(const BatchOutcome& outcome) {
   totals.failed = outcome.problems.size();
   for (const JobResult& result : outcome.results) {
     switch (result.status) {
-      case Status::done:
+      case JobStatus::done:
         ++totals.done;
         totals.input_bytes += result.input_bytes;
         totals.output_bytes += result.output_bytes;
         totals.pixels += result.pixels;
         break;
-      case Status::skipped: ++totals.skipped; break;
-      case Status::failed: ++totals.failed; break;
-      case Status::not_run: ++totals.not_run; break;
+      case JobStatus::skipped: ++totals.skipped; break;
+      case JobStatus::failed: ++totals.failed; break;
+      case JobStatus::not_run: ++totals.not_run; break;
     }
   }
   return totals;
@@ -77,7 +77,7 @@ void print_outcome(const BatchOutcome& outcome, bool quiet) {
     report_error(printable(problem.path), problem.error);
   }
   for (const JobResult& result : outcome.results) {
-    if (result.status != Status::failed) continue;
+    if (result.status != JobStatus::failed) continue;
     report_error(printable(result.failed_path), result.error);
   }
   const BatchTotals totals = sum_up(outcome);
@@ -116,7 +116,7 @@ std::string report_json(const BatchOutcome& outcome,
   Json files = Json::array();
   for (const BatchProblem& problem : outcome.problems) {
     files.push_back({{"input", problem.path},
-                     {"status", status_name(Status::failed)},
+                     {"status", status_name(JobStatus::failed)},
                      {"error", to_json(problem.error)}});
   }
   for (std::size_t i = 0; i < outcome.results.size(); ++i) {

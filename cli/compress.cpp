@@ -29,7 +29,7 @@ struct CompressOptions {
   bool force = false;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kCompressExamples =
     "  unstep compress page.tif                writes page.ustp, verified\n"
     "  unstep compress photo.jpg --threshold auto --despeckle 8\n"
     "  unstep compress page.tif --meta title='Plan 7' --meta author=me\n"
@@ -151,7 +151,7 @@ void add_compress(CLI::App& app, Context& context) {
   add_limits(*verb, options->read.limits);
   add_json(*verb, options->report.json);
   add_quiet(*verb, options->report.quiet);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kCompressExamples);
   verb->callback([&context, options] {
     context.run = [options] { return compress(*options); };
   });

@@ -36,7 +36,7 @@ struct ConvertOptions {
   bool force = false;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kConvertExamples =
     "  unstep convert scan.png scan.svg               contours, pixel for "
     "pixel\n"
     "  unstep convert scan.png scan.svg --tolerance 1 lines and arcs\n"
@@ -207,7 +207,7 @@ void add_convert(CLI::App& app, Context& context) {
   add_jobs(*verb, options->read.jobs);
   add_limits(*verb, options->read.limits);
   add_quiet(*verb, options->quiet);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kConvertExamples);
   verb->callback([&context, options] {
     context.run = [options] { return convert(*options); };
   });

@@ -32,7 +32,7 @@ struct DecompressOptions {
   bool force = false;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kDecompressExamples =
     "  unstep decompress page.ustp             writes page.png, or page.tif "
     "if\n"
     "                                          there are several pages\n"
@@ -262,7 +262,7 @@ void add_decompress(CLI::App& app, Context& context) {
   add_jobs(*verb, options->jobs);
   add_limits(*verb, options->limits);
   add_quiet(*verb, options->quiet);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kDecompressExamples);
   verb->callback([&context, options] {
     context.run = [options] { return decompress(*options); };
   });

@@ -29,7 +29,7 @@ struct InfoOptions {
   bool json = false;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kInfoExamples =
     "  unstep info page.ustp                   pages, checksums, coders, "
     "bytes\n"
     "  unstep info --json archive/*.ustp | jq '.[].pages[].checksum'\n";
@@ -218,7 +218,7 @@ void add_info(CLI::App& app, Context& context) {
   verb->add_flag("--json", options->json,
                  "A JSON list with one object for each readable file");
   add_limits(*verb, options->limits);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kInfoExamples);
   verb->callback([&context, options] {
     context.run = [options] { return info(*options); };
   });

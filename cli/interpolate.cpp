@@ -224,7 +224,7 @@ void add_method_options(CLI::App& verb, InterpolatorOptions& options) {
                 "circular: diagonal steps where they are nearer");
 }
 
-constexpr const char* kExamples =
+constexpr const char* kInterpolateExamples =
     "  unstep interpolate 7 3                  steps 0020020020\n"
     "  unstep interpolate --table 7 3          the registers after each step\n"
     "  unstep interpolate --arc 0 -50 50 -50   a quarter of a circle\n"
@@ -263,7 +263,7 @@ void add_interpolate(CLI::App& app, Context& context) {
   verb->add_flag("--csv", request->csv, "Comma-separated, with a header");
   verb->add_flag("--json", request->json, "One JSON object");
   add_method_options(*verb, request->options);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kInterpolateExamples);
   verb->callback([request, &context] {
     context.run = [request] { return interpolate_verb(*request); };
   });

@@ -26,7 +26,7 @@
 namespace unstep::cli {
 namespace {
 
-struct Request {
+struct ReverseRequest {
   std::string file;  // empty or "-": standard input
   std::string method = "device";
   std::string input = "freeman";
@@ -38,7 +38,7 @@ struct Request {
   InputOptions read;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kReverseExamples =
     "  unstep reverse < steps.txt                      'DX DY' per segment\n"
     "  echo 02002002000 | unstep reverse --table       the registers too\n"
     "  unstep interpolate 70 30 | unstep reverse\n"
@@ -55,7 +55,7 @@ constexpr const char* kExamples =
     "tolerance reads all steps before it prints; a line is 'DX DY', an arc\n"
     "'DX DY CX CY cw' or 'ccw', its centre relative to its start.\n";
 
-bool takes_file(const Request& request) {
+bool takes_file(const ReverseRequest& request) {
   return !request.file.empty() && request.file != "-";
 }
 
@@ -125,7 +125,7 @@ class StepReader {
 };
 
 /// The one chain of a file: Freeman text, or a recording of encoders.
-Result<Chain> read_chain(const Request& request) {
+Result<Chain> read_chain(const ReverseRequest& request) {
   Result<Source> source = Source::open(request.file, request.read);
   if (!source) return source.error();
   Result<SourcePage> page = source->read(0);
@@ -155,8 +155,8 @@ Status check_steps(StepReader reader, const Chain& chain) {
 }
 
 template <class Use>
-ExitCode read_file_steps(const StepReader& reader, const Request& request,
-                         Use use) {
+ExitCode read_file_steps(const StepReader& reader,
+                         const ReverseRequest& request, Use use) {
   const Result<Chain> chain = read_chain(request);
   if (!chain) return report_error(request.file, chain.error());
   const Status checked = check_steps(reader, *chain);
@@ -205,7 +205,7 @@ void print_row(Step step, const GateNet& net) {
 /// whole before anything is printed; a stream's segments are out before the
 /// stream can turn bad.
 template <class Use, class Finish>
-ExitCode run(const StepReader& reader, const Request& request, Use use,
+ExitCode run(const StepReader& reader, const ReverseRequest& request, Use use,
              Finish finish) {
   if (takes_file(request)) {
     const ExitCode code = read_file_steps(reader, request, use);
@@ -237,7 +237,7 @@ ExitCode run(const StepReader& reader, const Request& request, Use use,
 }
 
 template <class Device>
-ExitCode run_device(const Request& request) {
+ExitCode run_device(const ReverseRequest& request) {
   const StepReader reader(!takes_file(request) && request.input == "freeman",
                           "a diagonal step; the device takes 0, 2, 4 and 6");
   BasicDeviceReverse<Device> device;
@@ -262,7 +262,7 @@ ExitCode run_device(const Request& request) {
   });
 }
 
-ExitCode run_exact(const Request& request) {
+ExitCode run_exact(const ReverseRequest& request) {
   const bool four = request.connectivity == 4;
   const StepReader reader(
       !takes_file(request) && request.input == "freeman",
@@ -287,7 +287,7 @@ ExitCode run_exact(const Request& request) {
 }
 
 /// All of standard input, in memory.
-ExitCode collect_chain(const Request& request, Chain& chain) {
+ExitCode collect_chain(const ReverseRequest& request, Chain& chain) {
   const DecodeLimits& limits = request.read.limits;
   const std::uint64_t most = std::min(limits.max_steps, limits.max_memory);
   std::uint64_t steps = 0;
@@ -306,7 +306,7 @@ ExitCode collect_chain(const Request& request, Chain& chain) {
       });
 }
 
-ExitCode run_tolerance(const Request& request) {
+ExitCode run_tolerance(const ReverseRequest& request) {
   const bool from_file = takes_file(request);
   const std::string name = from_file ? request.file : "standard input";
   const Result<Rational> tolerance = to_tolerance(request.lines.tolerance, {});
@@ -336,7 +336,7 @@ ExitCode run_tolerance(const Request& request) {
       printed.error());
 }
 
-ExitCode reverse_verb(const Request& request) {
+ExitCode reverse_verb(const ReverseRequest& request) {
   const auto usage = [](const std::string& reason) {
     return report_usage("reverse", reason);
   };
@@ -374,7 +374,7 @@ ExitCode reverse_verb(const Request& request) {
 }  // namespace
 
 void add_reverse(CLI::App& app, Context& context) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<ReverseRequest>();
   CLI::App* verb =
       app.add_subcommand("reverse", "Turn unit steps into segments");
   verb->add_option("IN", request->file,
@@ -406,7 +406,7 @@ void add_reverse(CLI::App& app, Context& context) {
                  "arc starts, before it");
   add_decoding(*verb, request->read.decoding);
   add_limits(*verb, request->read.limits);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kReverseExamples);
   verb->callback([request, &context] {
     context.run = [request] { return reverse_verb(*request); };
   });

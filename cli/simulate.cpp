@@ -20,7 +20,7 @@
 namespace unstep::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kSimulateExamples =
     "  unstep simulate plan.ustp                       drawn at 1 mm/s\n"
     "  unstep simulate part.svg --grid 0.1mm --speed 5 --plot path.svg\n"
     "  unstep simulate scan.png --exposure plate.png   and compared\n"
@@ -154,7 +154,7 @@ void add_simulate(CLI::App& app, Context& context) {
   add_json(*verb, options->json);
   add_force(*verb, options->force);
   add_quiet(*verb, options->quiet);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kSimulateExamples);
   verb->callback([&context, options] {
     context.run = [options] { return simulate(*options); };
   });

@@ -14,7 +14,7 @@
 namespace unstep::cli {
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kStepsExamples =
     "  unstep steps part.ngc -o part.steps --step 0.005mm\n"
     "  unstep steps part.svg -o part.csv --method device\n"
     "  unstep steps part.ngc -o part.vcd --timed --acceleration 800\n"
@@ -142,7 +142,7 @@ void add_steps(CLI::App& app, Context& context) {
   add_pixels(*verb, options->read);
   add_limits(*verb, options->read.limits);
   add_quiet(*verb, options->quiet);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kStepsExamples);
   verb->callback([&context, options] {
     context.run = [options] { return steps(*options); };
   });

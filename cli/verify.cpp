@@ -35,7 +35,7 @@ struct VerifyOptions {
   bool quiet = false;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kVerifyExamples =
     "  unstep verify page.ustp                 is the file whole?\n"
     "  unstep verify archive/*.ustp            each of them; goes on after a\n"
     "                                          damaged one\n"
@@ -314,7 +314,7 @@ void add_verify(CLI::App& app, Context& context) {
   add_jobs(*verb, options->read.jobs);
   add_limits(*verb, options->read.limits);
   add_quiet(*verb, options->quiet);
-  finish_verb(*verb, kExamples);
+  finish_verb(*verb, kVerifyExamples);
   verb->callback([&context, options] {
     context.run = [options] { return verify(*options); };
   });
