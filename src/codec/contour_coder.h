@@ -15,15 +15,19 @@ class ArithmeticEncoder;
 namespace unstep::codec {
 
 class StartModel;
-class TurnModel;
+enum class TurnViews : std::uint8_t;
+template <TurnViews>
+class MixedTurnModel;
 namespace warm {
 struct Table;
 }
 
-/// The models of turns, by effort; they are the revisions of coder 1.
+/// The models of turns; they are the revisions of coder 1. The light one is
+/// for what is left beside shapes.
 inline constexpr std::uint8_t kContourStandard = 0;
 inline constexpr std::uint8_t kContourMax = 1;
 inline constexpr std::uint8_t kContourFast = 2;
+inline constexpr std::uint8_t kContourLight = 3;
 
 [[nodiscard]] constexpr std::uint8_t contour_revision(Effort effort) {
   return effort == Effort::fast  ? kContourFast
@@ -31,7 +35,7 @@ inline constexpr std::uint8_t kContourFast = 2;
                                  : kContourStandard;
 }
 [[nodiscard]] constexpr bool is_contour_revision(std::uint8_t revision) {
-  return revision <= kContourFast;
+  return revision <= kContourLight;
 }
 
 /// log2 of the model's slots per context, a rule of the size only, so that it
@@ -76,8 +80,8 @@ Status code_contours(entropy::ArithmeticDecoder& coder, Bitmap& ink,
 /// For training a warm start: encodes from `start` with the standard model and
 /// tables of at least 2^16 slots, and shows the models as they are at the end.
 inline constexpr int kTrainingBits = 17;
-using ModelVisitor =
-    std::function<void(const TurnModel& turns, const StartModel& starts)>;
+using ModelVisitor = std::function<void(
+    const MixedTurnModel<TurnViews{0}>& turns, const StartModel& starts)>;
 Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
                                                   const warm::Table& start,
                                                   const ModelVisitor& visit);

@@ -11,9 +11,9 @@ namespace unstep::codec {
 std::uint64_t contour_memory(std::uint8_t revision, std::int32_t width,
                              std::int32_t rows) {
   const int bits = contour_table_bits(revision, width, rows);
-  const std::uint64_t model = revision == kContourMax ? TurnModel::memory(bits)
-                              : revision == kContourFast
-                                  ? FastTurnModel::memory(bits)
+  const std::uint64_t model =
+      revision == kContourFast    ? FastTurnModel::memory(bits)
+      : revision == kContourLight ? LightTurnModel::memory(bits)
                                   : TurnModel::memory(bits);
   return CrackMap::memory(width, rows) + model + (1 << 20);
 }
@@ -69,6 +69,9 @@ Status decode_part(entropy::ArithmeticDecoder& coder, std::int32_t width,
     case kContourFast:
       return decode_with<FastTurnModel>(coder, width, rows, bits, progress,
                                         std::move(sink));
+    case kContourLight:
+      return decode_with<LightTurnModel>(coder, width, rows, bits, progress,
+                                         std::move(sink));
     default:
       return decode_with<TurnModel>(coder, width, rows, bits, progress,
                                     std::move(sink));

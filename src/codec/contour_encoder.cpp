@@ -79,6 +79,9 @@ Status code_contours(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
     case kContourFast:
       return encode_with<FastTurnModel>(coder, ink, first_row, rows, bits,
                                         progress);
+    case kContourLight:
+      return encode_with<LightTurnModel>(coder, ink, first_row, rows, bits,
+                                         progress);
     default:
       return encode_with<TurnModel>(coder, ink, first_row, rows, bits,
                                     progress);

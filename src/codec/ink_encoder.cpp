@@ -121,10 +121,10 @@ Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
     return encode_by_contours(ink, first_row, rows, revision, progress);
   }
   Result<std::vector<std::uint8_t>> shapes =
-      encode_shapes(ink, first_row, rows, revision, progress);
+      encode_shapes(ink, first_row, rows, shape_revision(effort), progress);
   if (!shapes) return shapes.error();
   if (!shapes->empty()) {
-    return EncodedBlock{{kCoderShapes, revision, warm::kTableId},
+    return EncodedBlock{{kCoderShapes, shape_revision(effort), warm::kTableId},
                         *std::move(shapes)};
   }
   if (!is_thin(ink, first_row, rows)) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "codec/block_coder.h"
+#include "codec/contour_coder.h"
 
 /// Coder 2: shapes that repeat, then the contours of what is left,
 /// docs/format.md.
@@ -12,9 +13,16 @@ namespace unstep::codec {
 
 struct PlacedShape;
 
-/// Revisions are those of coder 1 for what is left: standard and max.
+/// Revision 0 is standard, 1 max.
 [[nodiscard]] constexpr bool is_shape_revision(std::uint8_t revision) {
   return revision <= 1;
+}
+[[nodiscard]] constexpr std::uint8_t shape_revision(Effort effort) {
+  return effort == Effort::max ? 1 : 0;
+}
+/// That of coder 1 for what is left, which has many contours and few bytes.
+[[nodiscard]] constexpr std::uint8_t rest_revision(std::uint8_t revision) {
+  return revision == 1 ? kContourMax : kContourLight;
 }
 
 /// log2 of the models' slots per context, a rule of the size only.

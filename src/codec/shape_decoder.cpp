@@ -39,7 +39,7 @@ std::uint64_t shape_memory(std::uint8_t revision, std::int32_t width,
                            std::int32_t rows) {
   // One part is over when the other begins.
   return std::max(ShapeScan<DecoderSide>::memory(shape_table_bits(width, rows)),
-                  contour_memory(revision, width, rows));
+                  contour_memory(rest_revision(revision), width, rows));
 }
 
 BlockProgress first_half(const BlockProgress& progress) {
@@ -78,8 +78,9 @@ Status decode_shapes(std::span<const std::uint8_t> payload, Bitmap& ink,
       return told.error();
     }
   }
-  Status status = code_contours(coder, ink, first_row, rows, revision,
-                                second_half(progress, rows));
+  Status status =
+      code_contours(coder, ink, first_row, rows, rest_revision(revision),
+                    second_half(progress, rows));
   if (!status) return status;
   if (!coder.finished()) {
     return Error{ErrorCode::corrupt,

@@ -71,7 +71,7 @@ Result<std::vector<std::uint8_t>> encode_shapes(
       return told.error();
     }
   }
-  Status status = code_contours(coder, *rest, 0, rows, revision,
+  Status status = code_contours(coder, *rest, 0, rows, rest_revision(revision),
                                 second_half(progress, rows));
   if (!status) return status.error();
   return coder.finish();

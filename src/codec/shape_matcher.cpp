@@ -193,14 +193,19 @@ class Matcher {
   }
 
  private:
-  static std::size_t bucket_of(std::int32_t height, std::int32_t width) {
+  static std::size_t place_of(std::int32_t height, std::int32_t width) {
     return static_cast<std::size_t>(height * (kMaxShapeSide + 1) + width);
   }
 
   void offer(const std::vector<PlacedShape>& shapes, std::size_t index,
              std::uint32_t id, std::uint64_t view) {
     const Glyph& glyph = shapes[index].glyph;
-    Bucket& bucket = buckets_[bucket_of(glyph.height, glyph.width)];
+    std::uint32_t& place = places_[place_of(glyph.height, glyph.width)];
+    if (place == kNone) {
+      place = static_cast<std::uint32_t>(buckets_.size());
+      buckets_.emplace_back();
+    }
+    Bucket& bucket = buckets_[place];
     bucket.candidates.push_back({index, id});
     bucket.coarse.push_back(view);
   }
@@ -214,7 +219,8 @@ class Matcher {
       for (std::int32_t w = glyph.width - kNearSize;
            w <= glyph.width + kNearSize; ++w) {
         if (h >= 1 && w >= 1 && h <= kMaxShapeSide && w <= kMaxShapeSide) {
-          gather(buckets_[bucket_of(h, w)], view);
+          const std::uint32_t place = places_[place_of(h, w)];
+          if (place != kNone) gather(buckets_[place], view);
         }
       }
     }
@@ -271,7 +277,11 @@ class Matcher {
 
   std::array<std::vector<const Candidate*>, kFarCells + 1> levels_;
   std::vector<const Candidate*> near_;
-  std::vector<Bucket> buckets_{(kMaxShapeSide + 1) * (kMaxShapeSide + 1)};
+  /// Where the bucket of a size is. Most sizes never come.
+  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+  std::vector<std::uint32_t> places_ = std::vector<std::uint32_t>(
+      std::size_t{kMaxShapeSide + 1} * (kMaxShapeSide + 1), kNone);
+  std::vector<Bucket> buckets_;
   ShapeLibrary library_;  ///< without the pixels
 };
 

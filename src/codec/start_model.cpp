@@ -49,14 +49,6 @@ StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
            cracks_.vertical_word(y - 1, w) | cracks_.vertical_word(y, w) |
            cracks_.vertical_word(y + 1, w);
   };
-  const std::uint64_t east = cracks_.horizontal_word(y, word);
-  const std::uint64_t west = east >> 1 | cracks_.horizontal_word(y, word - 1)
-                                             << 63;
-  const std::uint64_t north = cracks_.vertical_word(y - 1, word);
-  const std::uint64_t south = cracks_.vertical_word(y, word);
-  // A start goes east and comes back from the south, so both are unknown; the
-  // other two are absent, or both known (a saddle point).
-  const std::uint64_t possible = used & ~east & ~south & ~(north ^ west);
   // Along a row only the next word is new, unless a walk has marked cracks.
   if (!seen_ || seen_word_ != word) {
     left_ = seen_ && seen_word_ == word - 1 ? here_ : known(word - 1);
@@ -65,6 +57,17 @@ StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
     seen_ = true;
     seen_word_ = word;
   }
+  // Nothing known around: most words of most pages.
+  if ((left_ | here_ | right_) == 0)
+    return {0, 0, {used & ~above, used & above}};
+  const std::uint64_t east = cracks_.horizontal_word(y, word);
+  const std::uint64_t west = east >> 1 | cracks_.horizontal_word(y, word - 1)
+                                             << 63;
+  const std::uint64_t north = cracks_.vertical_word(y - 1, word);
+  const std::uint64_t south = cracks_.vertical_word(y, word);
+  // A start goes east and comes back from the south, so both are unknown; the
+  // other two are absent, or both known (a saddle point).
+  const std::uint64_t possible = used & ~east & ~south & ~(north ^ west);
   const std::uint64_t near = spread(left_, here_, right_);
   const std::uint64_t roof = cracks_.horizontal_word(y - 1, word);
   const std::uint64_t beside_left =

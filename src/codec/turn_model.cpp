@@ -16,40 +16,88 @@ constexpr int kSight = 12;     ///< and look()
 constexpr int kTurnRefinerBits = 12;
 constexpr int kNearRefinerBits = 11;
 
-/// How many fewer bits of slots the contexts with few values get.
-constexpr std::array<int, TurnModel::kContexts> kFewer{1, 0, 0, 0, 0, 0, 0, 3,
-                                                       0, 0, 0, 1, 2, 0, 0};
+/// The contexts of all views, in the order of the table: how many fewer bits of
+/// slots they get, for some have few values.
+constexpr std::array<int, 15> kFewer{1, 0, 0, 0, 0, 0, 0, 3,
+                                     0, 0, 0, 1, 2, 0, 0};
+/// Those that the light model has.
+constexpr std::array<std::size_t, 7> kFew{2, 4, 6, 7, 9, 10, 11};
 
-std::array<int, TurnModel::kContexts> table_sizes(int table_bits) {
-  std::array<int, TurnModel::kContexts> bits{};
+/// Which context of all views is the model's i-th.
+template <class Model>
+constexpr std::size_t view(std::size_t i) {
+  return Model::kAll ? i : kFew[i];
+}
+
+template <class Model>
+std::array<int, Model::kContexts> table_sizes(int table_bits) {
+  std::array<int, Model::kContexts> bits{};
   for (std::size_t i = 0; i < bits.size(); ++i)
-    bits[i] = table_bits - kFewer[i];
+    bits[i] = table_bits - kFewer[view<Model>(i)];
   return bits;
+}
+
+/// The weights of the table for the inputs that the model has.
+template <class Model>
+std::array<std::array<std::int16_t, Model::kInputs>, 2> first_weights(
+    const warm::Table& start) {
+  constexpr std::size_t kFrom = entropy::ContextSlots<15>::kLanes;
+  constexpr std::size_t kTo = Model::Slots::kLanes;
+  std::array<std::array<std::int16_t, Model::kInputs>, 2> weights{};
+  for (std::size_t node = 0; node < 2; ++node) {
+    const auto& from = start.turn_weights[node];
+    for (std::size_t i = 0; i < Model::kContexts; ++i) {
+      weights[node][i] = from[view<Model>(i)];
+      weights[node][kTo + i] = from[kFrom + view<Model>(i)];
+    }
+    weights[node][Model::kGateInput] = from[warm::kTurnContexts];
+  }
+  return weights;
+}
+
+template <class Model>
+std::array<std::size_t, Model::kSets> set_sizes() {
+  if constexpr (Model::kAll) {
+    return {64, 1024, 1024, 1024};
+  } else {
+    return {64, 1024, 1024};
+  }
+}
+
+template <class Model>
+std::array<entropy::Refiner, Model::kRefiners> make_refiners() {
+  entropy::Refiner near(std::size_t{2} << kNearRefinerBits);
+  if constexpr (Model::kAll) {
+    return {near, entropy::Refiner(std::size_t{2} << kTurnRefinerBits)};
+  } else {
+    return {near};
+  }
 }
 
 }  // namespace
 
-std::uint64_t TurnModel::memory(int table_bits) {
+template <TurnViews kViews>
+std::uint64_t MixedTurnModel<kViews>::memory(int table_bits) {
   std::uint64_t bytes = std::uint64_t{2} << 20;  // gates, match, weights ...
-  for (const int bits : table_sizes(table_bits)) {
+  for (const int bits : table_sizes<MixedTurnModel>(table_bits)) {
     bytes += sizeof(entropy::Slot) << bits;
   }
   return bytes;
 }
 
-TurnModel::TurnModel(const CrackMap& cracks, int table_bits,
-                     const warm::Table& start)
+template <TurnViews kViews>
+MixedTurnModel<kViews>::MixedTurnModel(const CrackMap& cracks, int table_bits,
+                                       const warm::Table& start)
     : cracks_(cracks),
-      slots_(table_sizes(table_bits)),
+      slots_(table_sizes<MixedTurnModel>(table_bits)),
       gates_(std::size_t{1} << kGateBits),
-      mixer_({64, 1024, 1024, 1024}, start.turn_weights),
-      refiners_{entropy::Refiner(std::size_t{2} << kTurnRefinerBits),
-                entropy::Refiner(std::size_t{2} << kNearRefinerBits)} {
-  for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
+      mixer_(set_sizes<MixedTurnModel>(), first_weights<MixedTurnModel>(start)),
+      refiners_(make_refiners<MixedTurnModel>()) {
+  for (std::size_t i = 0; i < kContexts; ++i) {
     const auto slots = slots_.slots(i);
     // Index and check of a record are the upper 28 bits of the hash.
     const int shift = 28 - std::countr_zero(slots.size());
-    start.for_each(i, [&](const warm::Record& record) {
+    start.for_each(view<MixedTurnModel>(i), [&](const warm::Record& record) {
       const std::uint32_t hash =
           std::uint32_t{record.index} << 12 | record.check;
       slots[hash >> shift] = {record.p, record.n,
@@ -58,8 +106,9 @@ TurnModel::TurnModel(const CrackMap& cracks, int table_bits,
   }
 }
 
-void TurnModel::begin(CrackMap::Address point, CrackMap::Address flipped,
-                      bool ink) {
+template <TurnViews kViews>
+void MixedTurnModel<kViews>::begin(CrackMap::Address point,
+                                   CrackMap::Address flipped, bool ink) {
   direction_ = 0;
   point_ = point + cracks_.step(0);
   flipped_ = flipped + cracks_.flipped_step(0);
@@ -75,10 +124,11 @@ void TurnModel::begin(CrackMap::Address point, CrackMap::Address flipped,
   dss_.push(0);
   curve_.begin();
   gaps_ = gaps(point, flipped, 0);
-  curve_.step(0, 1, 0, gaps_);
+  if constexpr (kAll) curve_.step(0, 1, 0, gaps_);
 }
 
-void TurnModel::advance(Turn turn) {
+template <TurnViews kViews>
+void MixedTurnModel<kViews>::advance(Turn turn) {
   match_.push(turn);
   history_ = history_ << 2 | turn;
   if (turn == kStraight) {
@@ -95,7 +145,7 @@ void TurnModel::advance(Turn turn) {
   here_.x += kQuarterDx[d];
   here_.y += kQuarterDy[d];
   gaps_ = gaps(point_, flipped_, direction_);
-  curve_.step(direction_, here_.x, here_.y, gaps_);
+  if constexpr (kAll) curve_.step(direction_, here_.x, here_.y, gaps_);
   point_ += cracks_.step(direction_);
   flipped_ += cracks_.flipped_step(direction_);
   ++steps_;
@@ -103,9 +153,10 @@ void TurnModel::advance(Turn turn) {
 }
 
 /// The nearest cracks parallel to the one that leaves a point.
-CurveFit::Gaps TurnModel::gaps(CrackMap::Address point,
-                               CrackMap::Address flipped,
-                               Quarter direction) const {
+template <TurnViews kViews>
+CurveFit::Gaps MixedTurnModel<kViews>::gaps(CrackMap::Address point,
+                                            CrackMap::Address flipped,
+                                            Quarter direction) const {
   // The crack's bit in the plane where those beside it are its neighbours.
   const CrackMap::Address bit =
       (direction & 1) != 0 ? point + cracks_.crack(direction)
@@ -121,7 +172,9 @@ CurveFit::Gaps TurnModel::gaps(CrackMap::Address point,
 }
 
 /// The nearest crack parallel to the one just walked, on one side.
-TurnModel::Sight TurnModel::look(bool right) const {
+template <TurnViews kViews>
+typename MixedTurnModel<kViews>::Sight MixedTurnModel<kViews>::look(
+    bool right) const {
   const bool greater = right == (direction_ == 0 || direction_ == 3);
   const int distance = gaps_[greater ? 0 : 1];
   if (distance == 0 || distance > kSight) return {};
@@ -131,7 +184,8 @@ TurnModel::Sight TurnModel::look(bool right) const {
 }
 
 /// Where the curve goes, on the axis along which most of the last steps went.
-CurveFit::Forecast TurnModel::forecast() const {
+template <TurnViews kViews>
+CurveFit::Forecast MixedTurnModel<kViews>::forecast() const {
   const Trail& t = trail(std::min(steps_, 16U));
   const std::size_t axis =
       std::abs(here_.x - t.x) >= std::abs(here_.y - t.y) ? 0 : 1;
@@ -139,7 +193,8 @@ CurveFit::Forecast TurnModel::forecast() const {
                          gaps(point_, flipped_, curve_.heading(axis)));
 }
 
-unsigned TurnModel::shape(CrackMap::Address point) const {
+template <TurnViews kViews>
+unsigned MixedTurnModel<kViews>::shape(CrackMap::Address point) const {
   const CrackMap::Address on = cracks_.crack(direction_);
   const CrackMap::Address right = cracks_.crack((direction_ + 1) & 3);
   const CrackMap::Address left = cracks_.crack((direction_ + 3) & 3);
@@ -149,7 +204,8 @@ unsigned TurnModel::shape(CrackMap::Address point) const {
          cracks_.test(next + right) << 1 | cracks_.test(next + left);
 }
 
-entropy::Counter& TurnModel::find_gate() {
+template <TurnViews kViews>
+entropy::Counter& MixedTurnModel<kViews>::find_gate() {
   const std::uint64_t recent = history_ & 0xffffff;  // 12 turns
   const std::uint64_t hash = mix(around_ & patch::kNear, recent) * kGolden;
   gate_ = &gates_[hash >> (64 - kGateBits)];
@@ -157,7 +213,8 @@ entropy::Counter& TurnModel::find_gate() {
 }
 
 /// The last n steps as a chord, in the frame of the current direction: 18 bits.
-std::uint64_t TurnModel::chord(std::uint32_t n) const {
+template <TurnViews kViews>
+std::uint64_t MixedTurnModel<kViews>::chord(std::uint32_t n) const {
   if (steps_ < n) return 0;
   const std::int32_t dx = here_.x - trail(n).x;
   const std::int32_t dy = here_.y - trail(n).y;
@@ -169,7 +226,8 @@ std::uint64_t TurnModel::chord(std::uint32_t n) const {
 }
 
 /// Doubled area between the last n steps and their chord (patent's F).
-unsigned TurnModel::bulge(std::uint32_t n) const {
+template <TurnViews kViews>
+unsigned MixedTurnModel<kViews>::bulge(std::uint32_t n) const {
   if (steps_ < n) return 0;
   const Trail& t = trail(n);
   const std::int64_t dx = here_.x - t.x;
@@ -178,7 +236,8 @@ unsigned TurnModel::bulge(std::uint32_t n) const {
                        (std::int64_t{t.y} * dx - std::int64_t{t.x} * dy));
 }
 
-void TurnModel::look_around() {
+template <TurnViews kViews>
+void MixedTurnModel<kViews>::look_around() {
   const std::uint64_t at_point = patch::ways(around_);
   const std::uint64_t base = at_point << 1 | (ink_ ? 1U : 0U);
   const auto history = [&](unsigned turns) {
@@ -196,35 +255,52 @@ void TurnModel::look_around() {
   const auto ask = [&](std::size_t i, std::uint64_t value) {
     slots_.ask(i, (value << 4 | base) * kGolden);
   };
-  ask(0, history(12));
-  ask(1, history(18));
-  ask(2, (runs_ & 0xffff) << 4 | (bends_ & 15));
-  ask(3, (around_ & patch::kNear) << 8 | history(4));
-  ask(4, (around_ & patch::kAll) << 2 | history(1));
-  ask(5, (left_sight << 18 | chord(16)) << 6 | history(3));
-  ask(6, (right_sight << 10 | left_sight) << 6 | history(3));
-  ask(7, (level << 2 | guess) << 4 | history(2));
-  ask(8, std::uint64_t{runs_} & 0x7f7f7f7f);
-  ask(9, (chord(32) << 8 | history(4)) << 5 | bulge(32));
-  ask(10, (chord(64) << 18 | chord(8)) << 5 | bulge(64));
-  ask(11,
-      (verdict << 4 | std::min(dss_.previous_length(), 15U)) << 6 | history(3));
-  const CurveFit::Forecast expected = forecast();
-  const std::uint64_t bend = expected.curve >> 3;
-  ask(12, expected.curve);
-  ask(13, expected.right << 20 | bend);
-  ask(14, expected.left << 20 | bend);
-  next_selectors_ = {
-      std::min(right.distance, 7U) * 2 + (left.distance > 0 ? 16U : 0U),
-      static_cast<std::size_t>(history(4)) * 2,
-      (level * 4 + guess) * 2 + static_cast<std::size_t>(at_point) * 64,
-      static_cast<std::size_t>(expected.curve >> 8 & 511) * 2};
-  next_refined_ = {static_cast<std::size_t>(history(6)) * 2,
-                   (around_ & patch::kNear) * kGolden >> (64 - kNearRefinerBits)
-                                                             << 1};
+  const std::uint64_t runs = (runs_ & 0xffff) << 4 | (bends_ & 15);
+  const std::uint64_t all = (around_ & patch::kAll) << 2 | history(1);
+  const std::uint64_t sights =
+      (right_sight << 10 | left_sight) << 6 | history(3);
+  const std::uint64_t followed = (level << 2 | guess) << 4 | history(2);
+  const std::uint64_t chord32 = (chord(32) << 8 | history(4)) << 5 | bulge(32);
+  const std::uint64_t chord64 = (chord(64) << 18 | chord(8)) << 5 | bulge(64);
+  const std::uint64_t segment =
+      (verdict << 4 | std::min(dss_.previous_length(), 15U)) << 6 | history(3);
+  next_selectors_[0] =
+      std::min(right.distance, 7U) * 2 + (left.distance > 0 ? 16U : 0U);
+  next_selectors_[1] = static_cast<std::size_t>(history(4)) * 2;
+  next_selectors_[2] =
+      (level * 4 + guess) * 2 + static_cast<std::size_t>(at_point) * 64;
+  next_refined_[0] =
+      (around_ & patch::kNear) * kGolden >> (64 - kNearRefinerBits) << 1;
+  if constexpr (kAll) {
+    const CurveFit::Forecast expected = forecast();
+    const std::uint64_t bend = expected.curve >> 3;
+    ask(0, history(12));
+    ask(1, history(18));
+    ask(2, runs);
+    ask(3, (around_ & patch::kNear) << 8 | history(4));
+    ask(4, all);
+    ask(5, (left_sight << 18 | chord(16)) << 6 | history(3));
+    ask(6, sights);
+    ask(7, followed);
+    ask(8, std::uint64_t{runs_} & 0x7f7f7f7f);
+    ask(9, chord32);
+    ask(10, chord64);
+    ask(11, segment);
+    ask(12, expected.curve);
+    ask(13, expected.right << 20 | bend);
+    ask(14, expected.left << 20 | bend);
+    next_selectors_[3] =
+        static_cast<std::size_t>(expected.curve >> 8 & 511) * 2;
+    next_refined_[1] = static_cast<std::size_t>(history(6)) * 2;
+  } else {
+    const std::array<std::uint64_t, kContexts> values{
+        runs, all, sights, followed, chord32, chord64, segment};
+    for (std::size_t i = 0; i < kContexts; ++i) ask(i, values[i]);
+  }
 }
 
-int TurnModel::probability(Node node) {
+template <TurnViews kViews>
+int MixedTurnModel<kViews>::probability(Node node) {
   auto& inputs = mixer_.inputs(node);
   slots_.predict(node, inputs.data());
   inputs[kGateInput] = static_cast<std::int16_t>(
@@ -236,7 +312,10 @@ int TurnModel::probability(Node node) {
   for (std::size_t i = 0; i < refiners_.size(); ++i) {
     p += refiners_[i].refine(x, refined_[i] + node);
   }
-  return std::clamp(p / 3, 1, 65535);
+  return std::clamp(p / static_cast<int>(1 + kRefiners), 1, 65535);
 }
+
+template class MixedTurnModel<TurnViews::all>;
+template class MixedTurnModel<TurnViews::few>;
 
 }  // namespace unstep::codec

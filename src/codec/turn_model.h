@@ -25,16 +25,23 @@ using trace::kStraight;
 using trace::Turn;
 using trace::turned;
 
+/// How much a model of turns looks at: everything, or what says most in half
+/// the time.
+enum class TurnViews : std::uint8_t { all, few };
+
 /// Predicts the turns of contours walked one by one. Encoder and decoder run
 /// the same object in step; everything is integer.
-class TurnModel {
+template <TurnViews kViews>
+class MixedTurnModel {
  public:
-  static constexpr std::size_t kContexts = 15;
+  static constexpr bool kAll = kViews == TurnViews::all;
+  static constexpr std::size_t kContexts = kAll ? 15 : 7;
   using Slots = entropy::ContextSlots<kContexts>;
   /// Those of the slots; the lane that they leave free is the gate's.
   static constexpr std::size_t kInputs = Slots::kInputs;
   static constexpr std::size_t kGateInput = kContexts;
-  static constexpr std::size_t kSets = 4;  ///< of weights
+  static constexpr std::size_t kSets = kAll ? 4 : 3;  ///< of weights
+  static constexpr std::size_t kRefiners = kAll ? 2 : 1;
 
   /// A gate is one counter that decides whether a bend is so unlikely that it
   /// is coded with this counter alone: 2 of 5 steps of a technical drawing.
@@ -49,7 +56,8 @@ class TurnModel {
 
   /// `cracks` must outlive the model; 2^table_bits slots per context, fewer for
   /// some. REQUIRES: 8 <= table_bits <= kMaxTableBits.
-  TurnModel(const CrackMap& cracks, int table_bits, const warm::Table& start);
+  MixedTurnModel(const CrackMap& cracks, int table_bits,
+                 const warm::Table& start);
 
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(int table_bits);
@@ -144,8 +152,8 @@ class TurnModel {
   entropy::Counter* gate_ = nullptr;
   std::uint64_t around_ = 0;
   entropy::Mixer<kInputs, kSets, 2, kSpared> mixer_;
-  /// By the last turns, by the nearest cracks.
-  std::array<entropy::Refiner, 2> refiners_;
+  /// By the nearest cracks, by the last turns.
+  std::array<entropy::Refiner, kRefiners> refiners_;
 
   // Where the walk is.
   CrackMap::Address point_ = 0;
@@ -167,8 +175,13 @@ class TurnModel {
 
   std::array<std::size_t, kSets> next_selectors_{};
   std::array<std::size_t, kSets> selectors_{};
-  std::array<std::size_t, 2> next_refined_{};
-  std::array<std::size_t, 2> refined_{};
+  std::array<std::size_t, kRefiners> next_refined_{};
+  std::array<std::size_t, kRefiners> refined_{};
 };
+
+using TurnModel = MixedTurnModel<TurnViews::all>;
+using LightTurnModel = MixedTurnModel<TurnViews::few>;
+extern template class MixedTurnModel<TurnViews::all>;
+extern template class MixedTurnModel<TurnViews::few>;
 
 }  // namespace unstep::codec

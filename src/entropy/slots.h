@@ -25,9 +25,11 @@ struct Slot {
 };
 static_assert(sizeof(Slot) == 8);
 
-/// 16 slots taken apart: the same field of all side by side, for vector code.
+/// Slots taken apart: the same field of all side by side, for vector code.
+template <std::size_t kWidth>
 struct SlotLanes {
-  static constexpr std::size_t kCount = 16;
+  static_assert(kWidth % 8 == 0);
+  static constexpr std::size_t kCount = kWidth;
   alignas(16) std::array<std::array<std::uint16_t, kCount>, 2> p{};
   alignas(16) std::array<std::uint16_t, kCount> n{};  ///< n[0] + 256 n[1]
   alignas(16) std::array<std::uint16_t, kCount> check{};
@@ -54,7 +56,8 @@ inline void store_pair(Slot* a, Slot* b, __m128i pair) {
 
 }  // namespace detail
 
-inline void SlotLanes::load(const std::array<Slot*, kCount>& slots) {
+template <std::size_t kWidth>
+inline void SlotLanes<kWidth>::load(const std::array<Slot*, kCount>& slots) {
   const __m128i half = _mm_set1_epi16(-32768);
   for (std::size_t i = 0; i < kCount; i += 8) {
     const auto at = [i](auto& lanes) {
@@ -88,7 +91,9 @@ inline void SlotLanes::load(const std::array<Slot*, kCount>& slots) {
   }
 }
 
-inline void SlotLanes::store(const std::array<Slot*, kCount>& slots) const {
+template <std::size_t kWidth>
+inline void SlotLanes<kWidth>::store(
+    const std::array<Slot*, kCount>& slots) const {
   for (std::size_t i = 0; i < kCount; i += 8) {
     const auto at = [i](const auto& lanes) {
       return _mm_load_si128(reinterpret_cast<const __m128i*>(lanes.data() + i));
@@ -114,7 +119,8 @@ inline void SlotLanes::store(const std::array<Slot*, kCount>& slots) const {
 
 #else
 
-inline void SlotLanes::load(const std::array<Slot*, kCount>& slots) {
+template <std::size_t kWidth>
+inline void SlotLanes<kWidth>::load(const std::array<Slot*, kCount>& slots) {
   for (std::size_t i = 0; i < kCount; ++i) {
     const Slot slot = slots[i]->check == check[i] ? *slots[i] : Slot{};
     p[0][i] = slot.p[0];
@@ -123,7 +129,9 @@ inline void SlotLanes::load(const std::array<Slot*, kCount>& slots) {
   }
 }
 
-inline void SlotLanes::store(const std::array<Slot*, kCount>& slots) const {
+template <std::size_t kWidth>
+inline void SlotLanes<kWidth>::store(
+    const std::array<Slot*, kCount>& slots) const {
   for (std::size_t i = 0; i < kCount; ++i) {
     *slots[i] = {{p[0][i], p[1][i]},
                  {static_cast<std::uint8_t>(n[i] & 0xff),
@@ -141,8 +149,7 @@ inline void SlotLanes::store(const std::array<Slot*, kCount>& slots) const {
 template <std::size_t kContexts>
 class ContextSlots {
  public:
-  static constexpr std::size_t kLanes = SlotLanes::kCount;
-  static_assert(kContexts <= kLanes);
+  static constexpr std::size_t kLanes = (kContexts + 7) / 8 * 8;
   /// Two inputs of a mixer for each lane; those of the unused lanes are 0.
   static constexpr std::size_t kInputs = 2 * kLanes;
 
@@ -307,7 +314,7 @@ class ContextSlots {
   std::array<Slot*, kLanes> next_{};
   std::array<Slot*, kLanes> active_{};
   alignas(16) std::array<std::uint16_t, kLanes> checks_{};
-  SlotLanes lanes_;
+  SlotLanes<kLanes> lanes_;
   std::array<std::uint8_t, 2> noted_{};
 };
 

@@ -2,12 +2,32 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <bit>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <string>
 
 namespace unstep {
+namespace {
+
+constexpr std::size_t kWord = sizeof(std::uint64_t);
+
+/// The word whose bytes in memory are those of `word`, the highest first.
+std::uint64_t most_significant_first(std::uint64_t word) {
+  return std::endian::native == std::endian::little ? __builtin_bswap64(word)
+                                                    : word;
+}
+
+/// The first of `count` bytes highest, zeros after them.
+std::uint64_t load_word(const std::uint8_t* bytes, std::size_t count) {
+  std::uint64_t word = 0;
+  if (count != 0) std::memcpy(&word, bytes, count);
+  return most_significant_first(word);
+}
+
+}  // namespace
 
 Result<Bitmap> Bitmap::create(std::int64_t width, std::int64_t height) {
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide) {
@@ -36,13 +56,9 @@ void Bitmap::set_row_bytes(std::int32_t y, std::span<const std::uint8_t> bytes,
                            bool invert) {
   const std::span<std::uint64_t> words = row(y);
   const std::uint64_t flip = invert ? ~std::uint64_t{0} : 0;
-  std::size_t i = 0;
-  for (std::uint64_t& word : words) {
-    std::uint64_t bits = 0;
-    for (int k = 56; k >= 0 && i < bytes.size(); k -= 8) {
-      bits |= std::uint64_t{bytes[i++]} << k;
-    }
-    word = bits ^ flip;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::size_t left = bytes.size() - std::min(bytes.size(), 8 * i);
+    words[i] = load_word(bytes.data() + 8 * i, std::min(left, kWord)) ^ flip;
   }
   words.back() &= last_word_mask();
 }
@@ -51,10 +67,12 @@ void Bitmap::get_row_bytes(std::int32_t y, std::span<std::uint8_t> bytes,
                            bool invert) const {
   const std::span<const std::uint64_t> words = row(y);
   const std::uint64_t flip = invert ? ~std::uint64_t{0} : 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    std::uint64_t word = words[i / 8] ^ flip;
-    if (i / 8 + 1 == words.size()) word &= last_word_mask();
-    bytes[i] = static_cast<std::uint8_t>(word >> (56 - i % 8 * 8));
+  for (std::size_t i = 0; 8 * i < bytes.size(); ++i) {
+    std::uint64_t word = words[i] ^ flip;
+    if (i + 1 == words.size()) word &= last_word_mask();
+    word = most_significant_first(word);
+    std::memcpy(bytes.data() + 8 * i, &word,
+                std::min(bytes.size() - 8 * i, kWord));
   }
 }
 

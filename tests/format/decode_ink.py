@@ -57,12 +57,13 @@ class Scan:
         if revision == 2:
             self.turns = FastTurnModel(self.cracks)
         else:
-            small, middle, large, huge = ((13, 15, 17, 15), (14, 16, 19, 19)
-                                          )[revision]
+            small, middle, large, huge = (
+                (14, 16, 19, 19) if revision == 1 else (13, 15, 17, 15))
             table_bits = (small if size < 40000 else
                           middle if size < 2000000 else
                           large if size <= 24000000 else huge)
-            self.turns = TurnModel(self.cracks, table_bits, table)
+            self.turns = TurnModel(self.cracks, table_bits, table,
+                                   light=revision == 3)
         self.starts = StartModel(self.cracks, table, (width + 63) // 64)
         self.above = [0] * width
 
@@ -199,9 +200,11 @@ def decode(data, trace=False):
     if name[0] == 3:
         Centrelines(coder, width, height).run(image)
     else:
+        contours = name[1]
         if name[0] == 2:
             Shapes(coder, width, height).run(image)
-        Scan(coder, width, height, name[1]).run(image)
+            contours = 1 if name[1] == 1 else 3
+        Scan(coder, width, height, contours).run(image)
     coder.check_end()
     pbm = b""
     for row in image:

@@ -42,20 +42,27 @@ class Walker:
 
 
 class TurnModel(Walker):
-    FEWER = (1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 1, 2, 0, 0)
+    """Sections "Turn" and, with `light`, "Light turns"."""
 
-    def __init__(self, cracks, table_bits, table):
-        self.cracks = cracks
-        self.bits = [table_bits - fewer for fewer in self.FEWER]
+    FEWER = (1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 1, 2, 0, 0)
+    ALL, FEW = range(15), (2, 4, 6, 7, 9, 10, 11)
+
+    def __init__(self, cracks, table_bits, table, light=False):
+        self.cracks, self.light = cracks, light
+        self.views = self.FEW if light else self.ALL
+        self.bits = [table_bits - self.FEWER[i] for i in self.views]
         self.slots = [{} for _ in self.bits]
-        for slots, b, records in zip(self.slots, self.bits,
-                                     table.groups[:15]):
-            for index, check, p, n in records:
+        for slots, b, i in zip(self.slots, self.bits, self.views):
+            for index, check, p, n in table.groups[i]:
                 slots[(index << 12 | check) >> (28 - b)] = [
                     check + 1, [p[0], n[0]], [p[1], n[1]]]
         self.gates = {}
-        self.mixer = Mixer((64, 1024, 1024, 1024), table.turn, 1000)
-        self.refiners = Refiner(), Refiner()
+        weights = [[w[i] for i in self.views] + [w[15]]
+                   + [w[16 + i] for i in self.views] + [w[31]]
+                   for w in table.turn]
+        self.mixer = Mixer((64, 1024, 1024) + (() if light else (1024,)),
+                           weights, 1000)
+        self.refiners = (Refiner(),) if light else (Refiner(), Refiner())
         self.match = Match()
 
     def begin(self, x, y, ink):
@@ -170,8 +177,9 @@ class TurnModel(Walker):
                    2 * history(4),
                    64 * ahead + 2 * (4 * level + guess),
                    2 * (curve >> 8))
-        return ([v << 4 | ahead << 1 | self.ink for v in values], vectors,
-                (2 * history(6), 2 * top(11, near * K)))
+        return ([values[i] << 4 | ahead << 1 | self.ink for i in self.views],
+                vectors[:3] if self.light else vectors,
+                (2 * top(11, near * K), 2 * history(6)))
 
     def look_up(self, values):
         """The slots, and where they go if they learn."""
@@ -197,7 +205,7 @@ class TurnModel(Walker):
         mean = self.mixer.mean(x, [v + node for v in vectors])
         p = squash(mean) + sum(refiner.refine(mean, c + node) for refiner, c
                                in zip(self.refiners, refined))
-        p = max(1, p // 3)
+        p = max(1, p // (1 + len(self.refiners)))
         bit = coder.decode(p, ("bends", "side")[node])
         for model in (self.mixer, *self.refiners):
             model.learn(bit)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "codec/centreline_coder.h"
+#include "codec/contour_coder.h"
 #include "fuzz/target.h"
 
 /// Any ink comes back: 1 byte of width, 1 byte of options, the pixels.
@@ -59,6 +60,17 @@ void round_trip_centrelines(const Bitmap& ink) {
           "centrelines come back");
 }
 
+/// And contours under the light model, whatever shapes there are.
+void round_trip_light(const Bitmap& ink) {
+  const auto payload =
+      codec::encode_contours(ink, 0, ink.height(), codec::kContourLight, {});
+  require(static_cast<bool>(payload), "any ink can be coded as contours");
+  require(
+      static_cast<bool>(codec::verify_contours(
+          *payload, ink, 0, ink.height(), codec::kContourLight, limits(), {})),
+      "contours come back");
+}
+
 }  // namespace
 }  // namespace unstep::fuzz
 
@@ -70,5 +82,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
       unstep::fuzz::ink_of(input[0] + 1, input.subspan(2));
   unstep::fuzz::round_trip(ink, input[1]);
   unstep::fuzz::round_trip_centrelines(ink);
+  unstep::fuzz::round_trip_light(ink);
   return 0;
 }
