@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "codec/centreline_coder.h"
+#include "codec/pixel_coder.h"
 #include "fuzz/target.h"
 
 /// Any ink comes back: 1 byte of width, 1 byte of options, the pixels.
@@ -59,6 +60,17 @@ void round_trip_centrelines(const Bitmap& ink) {
           "centrelines come back");
 }
 
+/// And coder 4, taken for large or dithered pages only.
+void round_trip_pixels(const Bitmap& ink, std::uint8_t revision) {
+  const auto payload = codec::encode_pixels(ink, 0, ink.height(), revision, {});
+  require(static_cast<bool>(payload), "any ink can be coded as pixels");
+  Bitmap decoded = *Bitmap::create(ink.width(), ink.height());
+  require(static_cast<bool>(codec::decode_pixels(
+              *payload, decoded, 0, ink.height(), revision, limits(), {})),
+          "pixels can be decoded");
+  require(decoded == ink, "pixels come back");
+}
+
 }  // namespace
 }  // namespace unstep::fuzz
 
@@ -70,5 +82,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
       unstep::fuzz::ink_of(input[0] + 1, input.subspan(2));
   unstep::fuzz::round_trip(ink, input[1]);
   unstep::fuzz::round_trip_centrelines(ink);
+  unstep::fuzz::round_trip_pixels(ink, input[1] % 2);
   return 0;
 }
