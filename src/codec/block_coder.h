@@ -39,6 +39,7 @@ inline constexpr std::uint8_t kCoderStored = 0;    ///< packed rows, deflated
 inline constexpr std::uint8_t kCoderContours = 1;  ///< contours, mixed models
 inline constexpr std::uint8_t kCoderShapes = 2;    ///< shapes that repeat
 inline constexpr std::uint8_t kCoderCentrelines = 3;  ///< thin lines
+inline constexpr std::uint8_t kCoderPixels = 4;       ///< pixels in rows
 inline constexpr std::uint8_t kCoderChains = 16;      ///< chains, mixed models
 inline constexpr std::uint8_t kCoderPaths = 24;       ///< paths, mixed models
 inline constexpr std::uint8_t kCoderStrokes = 25;     ///< paths that repeat

@@ -4,6 +4,7 @@
 #include "codec/block_coder.h"
 #include "codec/centreline_coder.h"
 #include "codec/contour_coder.h"
+#include "codec/pixel_coder.h"
 #include "codec/shape_coder.h"
 #include "codec/stored_coder.h"
 #include "codec/warm_start.h"
@@ -26,6 +27,11 @@ bool is_shapes(const CoderName& name) {
          is_shape_revision(name.revision);
 }
 
+bool is_pixels(const CoderName& name) {
+  return name.coder == kCoderPixels && name.table == kPixelTable &&
+         is_pixel_revision(name.revision);
+}
+
 }  // namespace
 
 Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
@@ -42,6 +48,10 @@ Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
   }
   if (name == kCentrelines) {
     return decode_centrelines(payload, ink, first_row, rows, limits, progress);
+  }
+  if (is_pixels(name)) {
+    return decode_pixels(payload, ink, first_row, rows, name.revision, limits,
+                         progress);
   }
   return unknown_coder("ink", name);
 }

@@ -8,6 +8,7 @@
 #include "codec/block_coder.h"
 #include "codec/centreline_coder.h"
 #include "codec/contour_coder.h"
+#include "codec/pixel_coder.h"
 #include "codec/shape_coder.h"
 #include "codec/stored_coder.h"
 #include "codec/warm_start.h"
@@ -15,29 +16,47 @@
 namespace unstep::codec {
 namespace {
 
-/// Contours, or rows as they are where these are fewer bytes.
+/// Pixels from which on the fast effort codes pixels, and any effort dither.
+constexpr std::int64_t kSmallestFastPixels = 1'000'000;
+constexpr std::int64_t kSmallestDither = 40'000;
+
+/// The payload, or rows as they are where these are fewer bytes.
+Result<EncodedBlock> or_stored(CoderName name,
+                               Result<std::vector<std::uint8_t>> payload,
+                               const Bitmap& ink, std::int32_t first_row,
+                               std::int32_t rows) {
+  if (!payload) return payload.error();
+  // Of noise the packed rows are smaller. Only worth trying where the payload
+  // costs a good part of a bit per pixel.
+  const std::uint64_t pixels = static_cast<std::uint64_t>(ink.width()) *
+                               static_cast<std::uint64_t>(rows);
+  if (payload->size() > pixels / 16) {
+    Result<std::vector<std::uint8_t>> stored =
+        encode_stored(ink, first_row, rows);
+    if (!stored) return stored.error();
+    if (stored->size() < payload->size()) {
+      return EncodedBlock{{kCoderStored, 0, 0}, *std::move(stored)};
+    }
+  }
+  return EncodedBlock{name, *std::move(payload)};
+}
+
 Result<EncodedBlock> encode_by_contours(const Bitmap& ink,
                                         std::int32_t first_row,
                                         std::int32_t rows,
                                         std::uint8_t revision,
                                         const BlockProgress& progress) {
-  Result<std::vector<std::uint8_t>> contours =
-      encode_contours(ink, first_row, rows, revision, progress);
-  if (!contours) return contours.error();
-  // Noise has more cracks than pixels; then the packed rows are smaller. Only
-  // worth trying where the contours cost a good part of a bit per pixel.
-  const std::uint64_t pixels = static_cast<std::uint64_t>(ink.width()) *
-                               static_cast<std::uint64_t>(rows);
-  if (contours->size() > pixels / 16) {
-    Result<std::vector<std::uint8_t>> stored =
-        encode_stored(ink, first_row, rows);
-    if (!stored) return stored.error();
-    if (stored->size() < contours->size()) {
-      return EncodedBlock{{kCoderStored, 0, 0}, *std::move(stored)};
-    }
-  }
-  return EncodedBlock{{kCoderContours, revision, warm::kTableId},
-                      *std::move(contours)};
+  return or_stored({kCoderContours, revision, warm::kTableId},
+                   encode_contours(ink, first_row, rows, revision, progress),
+                   ink, first_row, rows);
+}
+
+Result<EncodedBlock> encode_by_pixels(const Bitmap& ink, std::int32_t first_row,
+                                      std::int32_t rows, std::uint8_t revision,
+                                      const BlockProgress& progress) {
+  return or_stored({kCoderPixels, revision, kPixelTable},
+                   encode_pixels(ink, first_row, rows, revision, progress), ink,
+                   first_row, rows);
 }
 
 struct Rows {
@@ -111,6 +130,26 @@ Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
       *std::move(lines)};
 }
 
+/// Small drawings end before pixels have learned anything.
+bool is_small(const Bitmap& ink, std::int32_t rows, std::int64_t pixels) {
+  return std::int64_t{ink.width()} * rows < pixels;
+}
+
+Result<EncodedBlock> encode_fast(const Bitmap& ink, std::int32_t first_row,
+                                 std::int32_t rows,
+                                 const BlockProgress& progress) {
+  if (is_small(ink, rows, kSmallestFastPixels)) {
+    return encode_by_contours(ink, first_row, rows,
+                              contour_revision(Effort::fast), progress);
+  }
+  const PixelTexture texture = pixel_texture(ink, first_row, rows);
+  return encode_by_pixels(ink, first_row, rows,
+                          texture.is_drawn() || texture.is_dithered()
+                              ? kPixelsMixed
+                              : kPixelsBlended,
+                          progress);
+}
+
 }  // namespace
 
 Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
@@ -118,7 +157,11 @@ Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
                                 const BlockProgress& progress) {
   const std::uint8_t revision = contour_revision(effort);
   if (effort == Effort::fast) {
-    return encode_by_contours(ink, first_row, rows, revision, progress);
+    return encode_fast(ink, first_row, rows, progress);
+  }
+  if (!is_small(ink, rows, kSmallestDither) &&
+      pixel_texture(ink, first_row, rows).is_dithered()) {
+    return encode_by_pixels(ink, first_row, rows, kPixelsMixed, progress);
   }
   Result<std::vector<std::uint8_t>> shapes =
       encode_shapes(ink, first_row, rows, shape_revision(effort), progress);

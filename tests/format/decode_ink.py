@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A second decoder of coders 1, 2 and 3, written from docs/format.md alone.
+"""A second decoder of coders 1 to 4, written from docs/format.md alone.
 
     decode_ink.py [--trace] IN.ustp OUT.pbm
 
@@ -13,6 +13,7 @@ import zlib
 
 from centrelines import Centrelines
 from entropy import Damaged, Interval
+from rows import Rows
 from shapes import Shapes
 from starts import StartModel
 from table import Table
@@ -190,15 +191,17 @@ def decode(data, trace=False):
     if not flags & 8:
         packed, at = data[at], at + 1
     name = packed & 31, packed >> 5 & 3
-    named = packed == 3 or packed > 127 and name in (
+    named = packed in (3, 4, 36) or packed > 127 and name in (
         (1, 0), (1, 1), (1, 2), (2, 0), (2, 1))
     if not named:
-        raise Damaged("another coder than 1, 2 and 3")
+        raise Damaged("another coder than 1 to 4")
     head, stored, payload = data[4:at], data[at:at + 4], data[at + 4:]
     coder = Interval(payload, trace)
     image = [[0] * width for _ in range(height)]
     if name[0] == 3:
         Centrelines(coder, width, height).run(image)
+    elif name[0] == 4:
+        Rows(coder, width, height, name[1]).run(image)
     else:
         contours = name[1]
         if name[0] == 2:

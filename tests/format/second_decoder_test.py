@@ -164,6 +164,24 @@ class SecondDecoder(unittest.TestCase):
     def test_thin_lines(self):
         self.check_agrees_on_pixels(thin_map(300, 300, 20), coder=3)
 
+    def test_dither(self):
+        """Ordered, of a slope in two directions."""
+        rank = (0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5)
+        page = pbm(["".join(".#"[(x * 7 + y * y // 9) % 256
+                                 > 16 * rank[x % 4 + y % 4 * 4] + 8]
+                            for x in range(203)) for y in range(202)])
+        self.check_agrees_on_pixels(page, coder=4)
+
+    def test_large_page_in_haste(self):
+        blots = [list("." * 1061) for _ in range(1000)]
+        for y, x in ((0, 0), (100, 500), (930, 1000)):
+            for i in range(0, 3000, 7):
+                v, u = i * i // 40 % 61, i * 31 // 11 % 59
+                for k in range(1 + i % 9):
+                    blots[y + v][x + min(u + k, 60)] = "#"
+        self.check_agrees_on_pixels(pbm(["".join(row) for row in blots]),
+                                    "--effort", "fast", coder=4)
+
     def test_large_page(self):
         """That starts with the other half of the table."""
         rows = ["." * 2000] * 1001

@@ -28,6 +28,7 @@ codec::CoderName name_of(std::span<const std::uint8_t> head) {
   if (pick % 32 == 30) return {codec::kCoderProgram, head[1], head[2]};
   if (pick % 32 == 29) return {codec::kCoderStrokes, head[1], head[2]};
   if (pick % 32 == 28) return {codec::kCoderCentrelines, head[1], head[2]};
+  if (pick % 32 == 27) return {codec::kCoderPixels, head[1], head[2]};
   const std::uint8_t coder =
       pick % 8 == 7 ? pick / 8 : kKnown[pick % kKnown.size()];
   return {coder, head[1], head[2]};

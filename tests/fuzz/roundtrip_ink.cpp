@@ -6,6 +6,7 @@
 
 #include "codec/centreline_coder.h"
 #include "codec/contour_coder.h"
+#include "codec/pixel_coder.h"
 #include "fuzz/target.h"
 
 /// Any ink comes back: 1 byte of width, 1 byte of options, the pixels.
@@ -71,6 +72,17 @@ void round_trip_light(const Bitmap& ink) {
       "contours come back");
 }
 
+/// And coder 4, taken for large or dithered pages only.
+void round_trip_pixels(const Bitmap& ink, std::uint8_t revision) {
+  const auto payload = codec::encode_pixels(ink, 0, ink.height(), revision, {});
+  require(static_cast<bool>(payload), "any ink can be coded as pixels");
+  Bitmap decoded = *Bitmap::create(ink.width(), ink.height());
+  require(static_cast<bool>(codec::decode_pixels(
+              *payload, decoded, 0, ink.height(), revision, limits(), {})),
+          "pixels can be decoded");
+  require(decoded == ink, "pixels come back");
+}
+
 }  // namespace
 }  // namespace unstep::fuzz
 
@@ -83,5 +95,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   unstep::fuzz::round_trip(ink, input[1]);
   unstep::fuzz::round_trip_centrelines(ink);
   unstep::fuzz::round_trip_light(ink);
+  unstep::fuzz::round_trip_pixels(ink, input[1] % 2);
   return 0;
 }

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "codec/context.h"
+#include "codec/pixel_rows.h"
+#include "codec/pixel_slots.h"
+#include "entropy/logistic.h"
+#include "entropy/mixer.h"
+
+namespace unstep::codec {
+
+namespace detail {
+
+/// Of 256: how far a probability goes to that of a larger context, by its age.
+constexpr std::array<std::int16_t, 256> make_pixel_blend() {
+  std::array<std::int16_t, 256> weights{};
+  for (std::size_t n = 0; n < weights.size(); ++n) {
+    weights[n] = static_cast<std::int16_t>(420 * n / (2 * n + 3));
+  }
+  return weights;
+}
+inline constexpr auto kPixelBlend = make_pixel_blend();
+
+}  // namespace detail
+
+/// The contexts of pixels beyond the nearest ones.
+namespace pixel_contexts {
+
+[[nodiscard]] inline std::uint64_t small(const PixelWindow& w) {
+  return w.before(6) | w.cut(1, 4, 4) << 6 | w.cut(2, 3, 3) << 15 |
+         w.cut(3, 2, 2) << 22;
+}
+[[nodiscard]] inline std::uint64_t middle(const PixelWindow& w) {
+  return w.before(8) | w.cut(1, 6, 6) << 8 | w.cut(2, 5, 5) << 21 |
+         w.cut(3, 4, 4) << 32 | w.cut(4, 2, 2) << 41;
+}
+[[nodiscard]] inline std::uint64_t large(const PixelWindow& w) {
+  return w.before(9) | w.cut(1, 7, 7) << 9 | w.cut(2, 6, 6) << 24 |
+         w.cut(3, 5, 5) << 37 | w.cut(4, 4, 4) << 48;
+}
+[[nodiscard]] inline std::uint64_t wide(const PixelWindow& w) {
+  return w.before(12) | w.cut(1, 10, 9) << 12 | w.cut(2, 8, 8) << 32 |
+         (w.cut(3, 7, 7) * 0x3a8f05c5ULL << 28);
+}
+
+}  // namespace pixel_contexts
+
+/// The nearest 16 pixels, moved towards what is known of 27 and of 57 pixels by
+/// how much that is. For speed: no mixer.
+class BlendedPixels {
+ public:
+  static constexpr int kBits = 14;  ///< log2 of the slots of a context
+  static constexpr unsigned kRare = 1500U;
+
+  static constexpr std::uint64_t memory() {
+    return 2 * PixelTable::memory(kBits);
+  }
+
+  template <class Coder>
+  bool code(Coder& coder, bool truth, const PixelWindow& window,
+            std::uint64_t /*near*/, int near_p) {
+    PixelTable::Found small = small_.find(pixel_contexts::small(window));
+    PixelTable::Found large = large_.find(pixel_contexts::large(window));
+    int p = near_p;
+    p += (small.slot.p - p) * detail::kPixelBlend[small.slot.age()] >> 8;
+    p += (large.slot.p - p) * detail::kPixelBlend[large.slot.age()] >> 8;
+    const bool bit = coder.code(truth, std::clamp(p, 24, 65512));
+    small.learn(bit);
+    large.learn(bit);
+    return bit;
+  }
+
+ private:
+  PixelTable small_{kBits};
+  PixelTable large_{kBits};
+};
+
+/// Four contexts of 16 to 63 pixels, mixed.
+class MixedPixels {
+ public:
+  static constexpr int kBits = 16;
+  static constexpr unsigned kRare = 60U;
+  static constexpr std::size_t kContexts = 4;
+
+  static constexpr std::uint64_t memory() {
+    return kContexts * PixelTable::memory(kBits);
+  }
+
+  template <class Coder>
+  bool code(Coder& coder, bool truth, const PixelWindow& window,
+            std::uint64_t near, int /*near_p*/) {
+    std::array<PixelTable::Found, kContexts> found{
+        tables_[0].find(near), tables_[1].find(pixel_contexts::small(window)),
+        tables_[2].find(pixel_contexts::middle(window)),
+        tables_[3].find(pixel_contexts::wide(window))};
+    auto& inputs = mixer_.inputs();
+    for (std::size_t i = 0; i < kContexts; ++i) {
+      inputs[i] = static_cast<std::int16_t>(entropy::stretch(found[i].slot.p));
+      inputs[kContexts + i] = static_cast<std::int16_t>(
+          (found[i].slot.p - 32768) * kTrust[found[i].slot.age()] >> 16);
+    }
+    const int x = mixer_.mix({window.before(3) | window.cut(1, 2, 3) << 3});
+    const bool bit =
+        coder.code(truth, std::clamp(entropy::squash(x), 24, 65512));
+    mixer_.update(bit);
+    for (PixelTable::Found& f : found) f.learn(bit);
+    return bit;
+  }
+
+ private:
+  using Mixer = entropy::Mixer<2 * kContexts, 1>;
+  static constexpr Mixer::Inputs initial() {
+    Mixer::Inputs weights{};
+    weights.fill(6144 / kContexts);
+    return weights;
+  }
+
+  std::array<PixelTable, kContexts> tables_{
+      PixelTable(kBits), PixelTable(kBits), PixelTable(kBits),
+      PixelTable(kBits)};
+  Mixer mixer_{{512}, std::array<Mixer::Inputs, 1>{initial()}};
+};
+
+}  // namespace unstep::codec

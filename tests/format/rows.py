@@ -1,0 +1,151 @@
+"""Section "Coder 4: pixels" of docs/format.md."""
+
+from entropy import K, Mixer, STRETCH, clamp, move, squash, top
+
+BLEND = [420 * n // (2 * n + 3) for n in range(256)]
+TRUST = [51 * min(n, 30) for n in range(256)]
+
+
+class Table:
+    """Slots of a context: [check, p, n]."""
+
+    def __init__(self, bits):
+        self.bits, self.slots = bits, {}
+
+    def find(self, context):
+        value = top(64, context * K)
+        place, check = value >> 64 - self.bits, value >> 40 & 255
+        slot = self.slots.get(place)
+        if slot is None or slot[0] != check:
+            slot = self.slots[place] = [check, 32768, 0]
+        return slot
+
+
+def learn(slot, bit):
+    slot[1:] = move(slot[1], slot[2], bit), min(255, slot[2] + 1)
+
+
+class Rows:
+    """Order of pixels in rows, runs and gates."""
+
+    def __init__(self, coder, width, rows, revision):
+        self.coder, self.width, self.rows = coder, width, rows
+        self.mixed = revision == 1
+        self.rare = 60 if self.mixed else 1500
+        bits = 16 if self.mixed else 14
+        self.tables = [Table(bits) for _ in range(4 if self.mixed else 2)]
+        self.mixer = Mixer([512], [[1536] * 8])
+        self.gates, self.runs = {}, {}
+
+    def run(self, image):
+        self.image = image
+        for y in range(self.rows):
+            self.empty = not any(map(any, image[max(0, y - 2):y]))
+            x = 0
+            while x < self.width:
+                if self.quiet(x, y):
+                    x = self.code_run(x, y)
+                else:
+                    image[y][x] = self.pixel(x, y)
+                    x += 1
+
+    def at(self, x, y):
+        return self.image[y][x] if y >= 0 and 0 <= x < self.width else 0
+
+    def cut(self, x, y, k, left, right):
+        value = 0
+        for i in range(x - left, x + right + 1):
+            value = 2 * value + self.at(i, y - k)
+        return value
+
+    def before(self, x, y, count):
+        return self.cut(x, y, 0, count, -1)
+
+    def plain(self, x, y):
+        return self.empty or (self.cut(x, y, 1, 3, 3) in (0, 127)
+                              and self.cut(x, y, 2, 2, 2) in (0, 31))
+
+    def quiet(self, x, y):
+        return (self.plain(x, y)
+                and self.before(x, y, 4) == 15 * self.at(x, y - 1))
+
+    def code_run(self, x, y):
+        end = x + 1
+        while end < self.width and self.plain(end, y):
+            end += 1
+        ink = self.at(x, y - 1)
+        kind = (min((end - x).bit_length(), 15), ink, self.at(x, y - 2),
+                end == self.width, x == 0)
+        slot = self.runs.setdefault(kind, [0, 32768, 0])
+        changes = self.coder.decode(clamp(slot[1], 2, 65534), "run")
+        learn(slot, changes)
+        low, high = end, end
+        if changes:
+            low = x
+            while high - low > 1:
+                middle = (low + high) // 2
+                if self.coder.decode(32768, "change"):
+                    low = middle
+                else:
+                    high = middle
+        for i in range(x, low):
+            self.image[y][i] = ink
+        if changes:
+            self.image[y][low] = 1 - ink
+            return low + 1
+        return end
+
+    def pixel(self, x, y):
+        near = (self.before(x, y, 4) | self.cut(x, y, 1, 3, 3) << 4
+                | self.cut(x, y, 2, 2, 2) << 11)
+        gate = self.gates.setdefault(near, [0, 32768, 0])
+        likely = int(gate[1] >= 32768)
+        rare = 65535 - gate[1] if likely else gate[1]
+        if rare < self.rare:
+            surprise = self.coder.decode(rare + 4, "gate")
+            rare += 65535 - rare >> 7 if surprise else -(rare + 127 >> 7)
+            gate[1] = 65535 - rare if likely else rare
+            return likely ^ surprise
+        code = self.mix if self.mixed else self.blend
+        bit = code(x, y, near, gate[1])
+        learn(gate, bit)
+        return bit
+
+    def small(self, x, y):
+        return (self.before(x, y, 6) | self.cut(x, y, 1, 4, 4) << 6
+                | self.cut(x, y, 2, 3, 3) << 15
+                | self.cut(x, y, 3, 2, 2) << 22)
+
+    def blend(self, x, y, _near, p):
+        large = (self.before(x, y, 9) | self.cut(x, y, 1, 7, 7) << 9
+                 | self.cut(x, y, 2, 6, 6) << 24
+                 | self.cut(x, y, 3, 5, 5) << 37
+                 | self.cut(x, y, 4, 4, 4) << 48)
+        slots = [table.find(context) for table, context in
+                 zip(self.tables, (self.small(x, y), large))]
+        for _, q, n in slots:
+            p += (q - p) * BLEND[n] >> 8
+        bit = self.coder.decode(clamp(p, 24, 65512), "pixel")
+        for slot in slots:
+            learn(slot, bit)
+        return bit
+
+    def mix(self, x, y, near, _p):
+        middle = (self.before(x, y, 8) | self.cut(x, y, 1, 6, 6) << 8
+                  | self.cut(x, y, 2, 5, 5) << 21
+                  | self.cut(x, y, 3, 4, 4) << 32
+                  | self.cut(x, y, 4, 2, 2) << 41)
+        wide = (self.before(x, y, 12) | self.cut(x, y, 1, 10, 9) << 12
+                | self.cut(x, y, 2, 8, 8) << 32
+                | self.cut(x, y, 3, 7, 7) * 0x3A8F05C5 << 28)
+        slots = [table.find(context) for table, context in
+                 zip(self.tables, (near, self.small(x, y), middle, wide))]
+        inputs = [STRETCH[p >> 4] for _, p, _ in slots]
+        inputs += [(p - 32768) * TRUST[n] >> 16 for _, p, n in slots]
+        chosen = self.before(x, y, 3) | self.cut(x, y, 1, 2, 3) << 3
+        p = clamp(self.mixer.predict(inputs, [chosen]), 24, 65512)
+        bit = self.coder.decode(p, "pixel")
+        self.mixer.learn(bit)
+        for slot in slots:
+            learn(slot, bit)
+        return bit
