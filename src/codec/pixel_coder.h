@@ -13,10 +13,12 @@ namespace unstep::codec {
 inline constexpr std::uint8_t kPixelsBlended = 0;
 /// Four contexts, mixed.
 inline constexpr std::uint8_t kPixelsMixed = 1;
+/// Eight contexts under the mixer of shapes.
+inline constexpr std::uint8_t kPixelsDeep = 2;
 inline constexpr std::uint8_t kPixelTable = 0;
 
 [[nodiscard]] constexpr bool is_pixel_revision(std::uint8_t revision) {
-  return revision <= kPixelsMixed;
+  return revision <= kPixelsDeep;
 }
 
 /// Bytes that coding rows of this width allocates.

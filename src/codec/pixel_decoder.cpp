@@ -48,9 +48,13 @@ Status decode_with(std::span<const std::uint8_t> payload, Bitmap& ink,
 }  // namespace
 
 std::uint64_t pixel_memory(std::int32_t width, std::uint8_t revision) {
-  return revision == kPixelsBlended
-             ? PixelScan<DecoderSide, BlendedPixels>::memory(width)
-             : PixelScan<DecoderSide, MixedPixels>::memory(width);
+  switch (revision) {
+    case kPixelsBlended:
+      return PixelScan<DecoderSide, BlendedPixels>::memory(width);
+    case kPixelsMixed:
+      return PixelScan<DecoderSide, MixedPixels>::memory(width);
+    default: return PixelScan<DecoderSide, DeepPixels>::memory(width);
+  }
 }
 
 Status decode_pixels(std::span<const std::uint8_t> payload, Bitmap& ink,
@@ -64,11 +68,15 @@ Status decode_pixels(std::span<const std::uint8_t> payload, Bitmap& ink,
                      std::to_string(memory) +
                      " bytes, more than the memory limit"};
   }
-  return revision == kPixelsBlended
-             ? decode_with<BlendedPixels>(payload, ink, first_row, rows,
-                                          progress)
-             : decode_with<MixedPixels>(payload, ink, first_row, rows,
+  switch (revision) {
+    case kPixelsBlended:
+      return decode_with<BlendedPixels>(payload, ink, first_row, rows,
                                         progress);
+    case kPixelsMixed:
+      return decode_with<MixedPixels>(payload, ink, first_row, rows, progress);
+    default:
+      return decode_with<DeepPixels>(payload, ink, first_row, rows, progress);
+  }
 }
 
 }  // namespace unstep::codec

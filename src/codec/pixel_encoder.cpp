@@ -72,9 +72,13 @@ Result<std::vector<std::uint8_t>> encode_pixels(const Bitmap& ink,
                                                 std::int32_t rows,
                                                 std::uint8_t revision,
                                                 const BlockProgress& progress) {
-  return revision == kPixelsBlended
-             ? encode_with<BlendedPixels>(ink, first_row, rows, progress)
-             : encode_with<MixedPixels>(ink, first_row, rows, progress);
+  switch (revision) {
+    case kPixelsBlended:
+      return encode_with<BlendedPixels>(ink, first_row, rows, progress);
+    case kPixelsMixed:
+      return encode_with<MixedPixels>(ink, first_row, rows, progress);
+    default: return encode_with<DeepPixels>(ink, first_row, rows, progress);
+  }
 }
 
 }  // namespace unstep::codec

@@ -8,6 +8,7 @@
 #include "codec/context.h"
 #include "codec/pixel_rows.h"
 #include "codec/pixel_slots.h"
+#include "codec/shape_mixer.h"
 #include "entropy/logistic.h"
 #include "entropy/mixer.h"
 
@@ -123,6 +124,42 @@ class MixedPixels {
       PixelTable(kBits), PixelTable(kBits), PixelTable(kBits),
       PixelTable(kBits)};
   Mixer mixer_{{512}, std::array<Mixer::Inputs, 1>{initial()}};
+};
+
+/// Eight contexts under the mixer of shapes, for scans: what is left of a page
+/// is noise along edges, of which pixels say as much as contours in a third of
+/// the time.
+class DeepPixels {
+ public:
+  static constexpr int kBits = 16;
+  static constexpr unsigned kRare = 3000U;
+
+  static std::uint64_t memory() {
+    return ShapeMixer::memory(kBits) + (std::uint64_t{1} << 18);
+  }
+
+  template <class Coder>
+  bool code(Coder& coder, bool truth, const PixelWindow& window,
+            std::uint64_t near, int /*near_p*/) {
+    const ShapeMixer::Contexts contexts{
+        near,
+        pixel_contexts::small(window),
+        pixel_contexts::middle(window),
+        pixel_contexts::wide(window),
+        window.before(3) | window.cut(1, 2, 6) << 3 |
+            window.cut(2, 2, 6) << 12 | window.cut(3, 2, 5) << 21,
+        window.before(1) | window.cut(1, 1, 3) << 1 | window.cut(2, 1, 1) << 6 |
+            window.cut(3, 1, 1) << 9 | window.cut(4, 1, 1) << 12,
+        window.before(7) | window.cut(1, 5, 1) << 7 | window.cut(2, 4, 0) << 14,
+        window.before(16) | window.cut(1, 8, 11) << 16};
+    return mixer_.code(coder, truth, contexts,
+                       {window.before(3) | window.cut(1, 2, 3) << 3,
+                        window.before(2) | window.cut(1, 1, 1) << 2 |
+                            window.cut(2, 0, 1) << 5});
+  }
+
+ private:
+  ShapeMixer mixer_{kBits, {512, 128}};
 };
 
 }  // namespace unstep::codec
