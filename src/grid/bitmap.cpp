@@ -2,7 +2,9 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <bit>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -51,7 +53,17 @@ void Bitmap::get_row_bytes(std::int32_t y, std::span<std::uint8_t> bytes,
                            bool invert) const {
   const std::span<const std::uint64_t> words = row(y);
   const std::uint64_t flip = invert ? ~std::uint64_t{0} : 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
+  // Whole words are stored at once: every page that is read or written comes
+  // through here, a few times over.
+  const std::size_t whole = std::min(bytes.size() / 8, words.size() - 1);
+  for (std::size_t i = 0; i < whole; ++i) {
+    std::uint64_t word = words[i] ^ flip;
+    if constexpr (std::endian::native == std::endian::little) {
+      word = __builtin_bswap64(word);
+    }
+    std::memcpy(bytes.data() + i * 8, &word, 8);
+  }
+  for (std::size_t i = whole * 8; i < bytes.size(); ++i) {
     std::uint64_t word = words[i / 8] ^ flip;
     if (i / 8 + 1 == words.size()) word &= last_word_mask();
     bytes[i] = static_cast<std::uint8_t>(word >> (56 - i % 8 * 8));
