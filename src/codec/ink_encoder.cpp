@@ -64,8 +64,8 @@ struct Rows {
   std::int32_t count = 0;
 };
 
-/// Those that hold an eighth of the ink, from two fifths of it on; all if there
-/// is little.
+/// Those that hold a sixteenth of the ink, from two fifths of it on; all if
+/// there is little.
 Rows sample_of(const Bitmap& ink, std::int32_t first_row, std::int32_t rows) {
   constexpr std::uint64_t kLittle = 32768;
   std::vector<std::uint64_t> until(static_cast<std::size_t>(rows) + 1);
@@ -83,7 +83,7 @@ Rows sample_of(const Bitmap& ink, std::int32_t first_row, std::int32_t rows) {
         std::lower_bound(until.begin(), until.end(), pixels) - until.begin());
   };
   const std::int32_t first = row(all * 2 / 5);
-  const std::int32_t end = row(all * 2 / 5 + all / 8);
+  const std::int32_t end = row(all * 2 / 5 + all / 16);
   return {first_row + first, std::max(end - first, 1)};
 }
 
@@ -136,17 +136,14 @@ bool is_small(const Bitmap& ink, std::int32_t rows, std::int64_t pixels) {
 }
 
 Result<EncodedBlock> encode_fast(const Bitmap& ink, std::int32_t first_row,
-                                 std::int32_t rows,
+                                 std::int32_t rows, const PixelTexture& texture,
                                  const BlockProgress& progress) {
   if (is_small(ink, rows, kSmallestFastPixels)) {
     return encode_by_contours(ink, first_row, rows,
                               contour_revision(Effort::fast), progress);
   }
-  const PixelTexture texture = pixel_texture(ink, first_row, rows);
   return encode_by_pixels(ink, first_row, rows,
-                          texture.is_drawn() || texture.is_dithered()
-                              ? kPixelsMixed
-                              : kPixelsBlended,
+                          texture.is_drawn() ? kPixelsMixed : kPixelsBlended,
                           progress);
 }
 
@@ -156,12 +153,14 @@ Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
                                 std::int32_t rows, Effort effort,
                                 const BlockProgress& progress) {
   const std::uint8_t revision = contour_revision(effort);
-  if (effort == Effort::fast) {
-    return encode_fast(ink, first_row, rows, progress);
+  const PixelTexture texture = pixel_texture(ink, first_row, rows);
+  if (texture.is_dithered() && !is_small(ink, rows, kSmallestDither)) {
+    return encode_by_pixels(ink, first_row, rows,
+                            effort == Effort::fast ? kPixelsMixed : kPixelsDeep,
+                            progress);
   }
-  if (!is_small(ink, rows, kSmallestDither) &&
-      pixel_texture(ink, first_row, rows).is_dithered()) {
-    return encode_by_pixels(ink, first_row, rows, kPixelsMixed, progress);
+  if (effort == Effort::fast) {
+    return encode_fast(ink, first_row, rows, texture, progress);
   }
   Result<std::vector<std::uint8_t>> shapes =
       encode_shapes(ink, first_row, rows, shape_revision(effort), progress);

@@ -191,7 +191,7 @@ def decode(data, trace=False):
     if not flags & 8:
         packed, at = data[at], at + 1
     name = packed & 31, packed >> 5 & 3
-    named = packed in (3, 4, 36) or packed > 127 and name in (
+    named = packed in (3, 4, 36, 68) or packed > 127 and name in (
         (1, 0), (1, 1), (1, 2), (2, 0), (2, 1))
     if not named:
         raise Damaged("another coder than 1 to 4")

@@ -1,6 +1,7 @@
 """Section "Coder 4: pixels" of docs/format.md."""
 
-from entropy import K, Mixer, STRETCH, clamp, move, squash, top
+from entropy import (K, Mixer, Refiner, STRETCH, clamp, move, squash,
+                     top)
 
 BLEND = [420 * n // (2 * n + 3) for n in range(256)]
 TRUST = [51 * min(n, 30) for n in range(256)]
@@ -30,11 +31,13 @@ class Rows:
 
     def __init__(self, coder, width, rows, revision):
         self.coder, self.width, self.rows = coder, width, rows
-        self.mixed = revision == 1
-        self.rare = 60 if self.mixed else 1500
-        bits = 16 if self.mixed else 14
-        self.tables = [Table(bits) for _ in range(4 if self.mixed else 2)]
-        self.mixer = Mixer([512], [[1536] * 8])
+        self.code = (self.blend, self.mix, self.mix_more)[revision]
+        self.rare = (1500, 60, 3000)[revision]
+        bits, count = ((14, 2), (16, 4), (16, 8))[revision]
+        self.tables = [Table(bits) for _ in range(count)]
+        self.mixer = (Mixer([512, 128], [[768] * 16]) if revision == 2
+                      else Mixer([512], [[1536] * 8]))
+        self.refiner = Refiner()
         self.gates, self.runs = {}, {}
 
     def run(self, image):
@@ -106,8 +109,7 @@ class Rows:
             rare += 65535 - rare >> 7 if surprise else -(rare + 127 >> 7)
             gate[1] = 65535 - rare if likely else rare
             return likely ^ surprise
-        code = self.mix if self.mixed else self.blend
-        bit = code(x, y, near, gate[1])
+        bit = self.code(x, y, near, gate[1])
         learn(gate, bit)
         return bit
 
@@ -130,21 +132,51 @@ class Rows:
             learn(slot, bit)
         return bit
 
-    def mix(self, x, y, near, _p):
-        middle = (self.before(x, y, 8) | self.cut(x, y, 1, 6, 6) << 8
-                  | self.cut(x, y, 2, 5, 5) << 21
-                  | self.cut(x, y, 3, 4, 4) << 32
-                  | self.cut(x, y, 4, 2, 2) << 41)
-        wide = (self.before(x, y, 12) | self.cut(x, y, 1, 10, 9) << 12
+    def middle(self, x, y):
+        return (self.before(x, y, 8) | self.cut(x, y, 1, 6, 6) << 8
+                | self.cut(x, y, 2, 5, 5) << 21
+                | self.cut(x, y, 3, 4, 4) << 32
+                | self.cut(x, y, 4, 2, 2) << 41)
+
+    def wide(self, x, y):
+        return (self.before(x, y, 12) | self.cut(x, y, 1, 10, 9) << 12
                 | self.cut(x, y, 2, 8, 8) << 32
                 | self.cut(x, y, 3, 7, 7) * 0x3A8F05C5 << 28)
-        slots = [table.find(context) for table, context in
-                 zip(self.tables, (near, self.small(x, y), middle, wide))]
+
+    def look_up(self, contexts):
+        slots = [table.find(context)
+                 for table, context in zip(self.tables, contexts)]
         inputs = [STRETCH[p >> 4] for _, p, _ in slots]
         inputs += [(p - 32768) * TRUST[n] >> 16 for _, p, n in slots]
+        return slots, inputs
+
+    def mix(self, x, y, near, _p):
+        slots, inputs = self.look_up(
+            (near, self.small(x, y), self.middle(x, y), self.wide(x, y)))
         chosen = self.before(x, y, 3) | self.cut(x, y, 1, 2, 3) << 3
         p = clamp(self.mixer.predict(inputs, [chosen]), 24, 65512)
         bit = self.coder.decode(p, "pixel")
+        self.mixer.learn(bit)
+        for slot in slots:
+            learn(slot, bit)
+        return bit
+
+    def mix_more(self, x, y, near, _p):
+        B, R = self.before, self.cut
+        slots, inputs = self.look_up(
+            (near, self.small(x, y), self.middle(x, y), self.wide(x, y),
+             B(x, y, 3) | R(x, y, 1, 2, 6) << 3 | R(x, y, 2, 2, 6) << 12
+             | R(x, y, 3, 2, 5) << 21,
+             B(x, y, 1) | R(x, y, 1, 1, 3) << 1 | R(x, y, 2, 1, 1) << 6
+             | R(x, y, 3, 1, 1) << 9 | R(x, y, 4, 1, 1) << 12,
+             B(x, y, 7) | R(x, y, 1, 5, 1) << 7 | R(x, y, 2, 4, 0) << 14,
+             B(x, y, 16) | R(x, y, 1, 8, 11) << 16))
+        chosen = (B(x, y, 3) | R(x, y, 1, 2, 3) << 3,
+                  B(x, y, 2) | R(x, y, 1, 1, 1) << 2 | R(x, y, 2, 0, 1) << 5)
+        mean = self.mixer.mean(inputs, chosen)
+        p = (squash(mean) + self.refiner.refine(mean, chosen[0])) // 2
+        bit = self.coder.decode(clamp(p, 24, 65512), "pixel")
+        self.refiner.learn(bit)
         self.mixer.learn(bit)
         for slot in slots:
             learn(slot, bit)

@@ -228,12 +228,13 @@ TEST(Golden, EveryBuildMakesTheSameBytes) {
   EncodeOptions bands;
   bands.bands = 2;
   const std::vector<std::pair<std::string, EncodeOptions>> names{
-      {"contours_glyph", standard},  {"contours_blots", standard},
-      {"contours_blots_max", most},  {"contours_blots_fast", fast},
-      {"contours_two_bands", bands}, {"shapes_text", standard},
-      {"shapes_text_max", most},     {"centrelines_map", standard},
-      {"pixels_dither", standard},   {"chains_4_and_8", standard},
-      {"chains_y_up", standard},     {"chains_long_lines", standard}};
+      {"contours_glyph", standard},   {"contours_blots", standard},
+      {"contours_blots_max", most},   {"contours_blots_fast", fast},
+      {"contours_two_bands", bands},  {"shapes_text", standard},
+      {"shapes_text_max", most},      {"centrelines_map", standard},
+      {"pixels_dither", standard},    {"pixels_dither_fast", fast},
+      {"chains_4_and_8", standard},   {"chains_y_up", standard},
+      {"chains_long_lines", standard}};
   for (const auto& [name, options] : names) {
     SCOPED_TRACE(name);
     const Bytes file =

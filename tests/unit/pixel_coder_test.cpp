@@ -20,7 +20,8 @@ using testing::random_ink;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr DecodeLimits kLimits{};
-constexpr std::array<std::uint8_t, 2> kRevisions{kPixelsBlended, kPixelsMixed};
+constexpr std::array<std::uint8_t, 3> kRevisions{kPixelsBlended, kPixelsMixed,
+                                                 kPixelsDeep};
 
 /// Whether coder 4 brings back those rows, and no others.
 Bytes expect_round_trip(const Bitmap& ink, std::int32_t first,
@@ -122,6 +123,7 @@ TEST(Pixels, HaveTheseBytes) {
   };
   EXPECT_EQ(sum(kPixelsBlended), 2376980130U);
   EXPECT_EQ(sum(kPixelsMixed), 2848921427U);
+  EXPECT_EQ(sum(kPixelsDeep), 0U);
 }
 
 TEST(Pixels, ArePickedForDitherAndSmallerThere) {
@@ -130,7 +132,10 @@ TEST(Pixels, ArePickedForDitherAndSmallerThere) {
   const Result<EncodedBlock> block =
       encode_ink(ink, 0, 300, Effort::standard, {});
   ASSERT_TRUE(block);
-  EXPECT_EQ(block->name, (CoderName{kCoderPixels, kPixelsMixed, kPixelTable}));
+  EXPECT_EQ(block->name, (CoderName{kCoderPixels, kPixelsDeep, kPixelTable}));
+  const Result<EncodedBlock> fast = encode_ink(ink, 0, 300, Effort::fast, {});
+  ASSERT_TRUE(fast);
+  EXPECT_EQ(fast->name, (CoderName{kCoderPixels, kPixelsMixed, kPixelTable}));
   const Result<Bytes> contours =
       encode_contours(ink, 0, 300, kContourStandard, {});
   ASSERT_TRUE(contours);
