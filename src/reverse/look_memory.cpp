@@ -19,8 +19,9 @@ std::uint64_t pack_eight(const Step* steps) {
 }  // namespace
 
 LookMemory::LookMemory(std::size_t steps) {
-  const int bits = static_cast<int>(std::bit_width(
-      std::clamp<std::size_t>(steps, std::size_t{1} << 10, (1U << 15) - 1))) - 1;
+  const int bits = static_cast<int>(std::bit_width(std::clamp<std::size_t>(
+                       steps, std::size_t{1} << 10, (1U << 15) - 1))) -
+                   1;
   entries_.resize(std::size_t{1} << bits);
   shift_ = 64 - bits;
 }
@@ -54,16 +55,15 @@ void LookMemory::keep(std::uint64_t word, std::size_t seen,
   const auto along = [](Point p, Point axis) {
     return static_cast<std::int8_t>(p.x * axis.x + p.y * axis.y);
   };
-  entries_[place_of(turned)] = {
-      turned,
-      static_cast<std::uint8_t>(62 - 2 * seen),
-      static_cast<std::uint8_t>(seen),
-      static_cast<std::uint8_t>(found.farthest_after),
-      static_cast<std::uint8_t>(found.before_after),
-      along(found.farthest, first),
-      along(found.farthest, second),
-      along(found.before, first),
-      along(found.before, second)};
+  entries_[place_of(turned)] = {turned,
+                                static_cast<std::uint8_t>(62 - 2 * seen),
+                                static_cast<std::uint8_t>(seen),
+                                static_cast<std::uint8_t>(found.farthest_after),
+                                static_cast<std::uint8_t>(found.before_after),
+                                along(found.farthest, first),
+                                along(found.farthest, second),
+                                along(found.before, first),
+                                along(found.before, second)};
 }
 
 }  // namespace unstep::reverse

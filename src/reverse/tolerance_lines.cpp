@@ -46,17 +46,16 @@ class Look {
     while (index >= chain_.size()) index -= chain_.size();
     const std::uint64_t word = memory_->word_at(index);
     if (const auto known = memory_->find(word, limit - from.index)) {
-      return {{from.index + known->farthest_after,
-               moved(from.at, known->farthest)},
-              {from.index + known->before_after,
-               moved(from.at, known->before)}};
+      return {
+          {from.index + known->farthest_after, moved(from.at, known->farthest)},
+          {from.index + known->before_after, moved(from.at, known->before)}};
     }
     const Ends result = look(from, limit);
     const std::size_t seen = index_ - from.index;
     if (near_done_ && seen < LookMemory::kSteps && index_ < limit) {
-      memory_->keep(word, seen,
-                    {farthest_index_ - from_, before_index_ - from_, farthest_,
-                     before_});
+      memory_->keep(
+          word, seen,
+          {farthest_index_ - from_, before_index_ - from_, farthest_, before_});
     }
     return result;
   }
