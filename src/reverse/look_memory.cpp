@@ -19,9 +19,8 @@ std::uint64_t pack_eight(const Step* steps) {
 }  // namespace
 
 LookMemory::LookMemory(std::size_t steps) {
-  const int bits = static_cast<int>(std::bit_width(std::clamp<std::size_t>(
-                       steps, std::size_t{1} << 10, (1U << 15) - 1))) -
-                   1;
+  const int bits =
+      std::clamp(static_cast<int>(std::bit_width(steps / 4)), 8, 14);
   entries_.resize(std::size_t{1} << bits);
   shift_ = 64 - bits;
 }

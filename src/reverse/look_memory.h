@@ -30,8 +30,8 @@ class LookMemory {
     Point before;
   };
 
-  /// `steps`: of all chains together, to choose the size: 16 bytes for each
-  /// step, 16 KiB to 256 KiB.
+  /// `steps`: of all chains together, to choose the size: about 4 bytes for
+  /// each, from 4 KiB to 256 KiB.
   explicit LookMemory(std::size_t steps);
 
   /// Prepares the looks along a chain. Of an 8-connected one nothing is

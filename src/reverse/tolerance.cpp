@@ -171,10 +171,12 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
     lines = fit_cheap(chains, options, price.emplace());
   } else {
     const auto near = near_directions(chains, options);
-    LookMemory memory(count_steps(chains));
+    std::optional<LookMemory> memory;
+    if (near != nullptr) memory.emplace(count_steps(chains));
     lines.reserve(chains.size());
     for (const ChainWalk& chain : chains) {
-      lines.push_back(fit(chain, options, near.get(), &memory));
+      lines.push_back(
+          fit(chain, options, near.get(), memory ? &*memory : nullptr));
       lines.back().shrink_to_fit();
     }
   }
