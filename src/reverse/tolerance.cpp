@@ -172,7 +172,9 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
   } else {
     const auto near = near_directions(chains, options);
     std::optional<LookMemory> memory;
-    if (near != nullptr) memory.emplace(count_steps(chains));
+    // Fewer steps are done before it has filled.
+    const std::size_t steps = count_steps(chains);
+    if (near != nullptr && steps >= kSomeSteps) memory.emplace(steps);
     lines.reserve(chains.size());
     for (const ChainWalk& chain : chains) {
       lines.push_back(
