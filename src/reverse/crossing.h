@@ -57,16 +57,15 @@ inline constexpr Box kEverywhere{-kMaxCoord, kMaxCoord, -kMaxCoord, kMaxCoord};
 /// than once. `closed[i]`: path i is a ring. Lines that do not reach into any
 /// of `places` are looked at only if they are near one.
 ///
-/// Lines that follow one another within a quarter of the directions meet only
-/// in their joints. Up to eight of them are a run and go together into the
-/// square cells that they reach, a power of two wide,
+/// Each line goes into the square cells that it reaches, a power of two wide,
 /// `cell_size` or less at first and twice that until there are at most five
-/// cells to a vertex, and is compared with the lines that are there. Time O(L)
+/// cells to a line, and is compared with the lines that are there. Time O(L)
 /// for L lines that are short or sparse. Memory: 24 bytes per line, 8 per line
-/// and cell that it reaches, 8 per cell.
+/// and cell that it reaches, 8 per cell, 64 per place.
 ///
-/// Range: coordinates are within kMaxCoord, so an orientation, the difference
-/// of two products of differences, is below 2^63.
+/// REQUIRES: `places` is not empty. Range: coordinates are within kMaxCoord, so
+/// an orientation, the difference of two products of differences, is below
+/// 2^63.
 std::vector<CrossingPair> find_crossings(std::span<const LineVertices> paths,
                                          const std::vector<bool>& closed,
                                          std::span<const Box> places,
