@@ -17,6 +17,7 @@ class ChainWalk {
   ChainWalk(const Chain& chain, YAxis axis, std::int32_t scale)
       : steps_(chain.steps),
         origin_{chain.origin.x * scale, chain.origin.y * scale},
+        connectivity_(chain.connectivity),
         closed_(chain.closed) {
     for (std::size_t code = 0; code < deltas_.size(); ++code) {
       const Point delta = step_delta(static_cast<Step>(code), axis);
@@ -28,6 +29,7 @@ class ChainWalk {
   [[nodiscard]] std::size_t size() const { return steps_.size(); }
   [[nodiscard]] bool closed() const { return closed_; }
   [[nodiscard]] Point origin() const { return origin_; }
+  [[nodiscard]] Connectivity connectivity() const { return connectivity_; }
 
   /// Step i of the chain. REQUIRES: i < size(), or < 5 * size() if closed.
   [[nodiscard]] Step step(std::size_t i) const {
@@ -62,6 +64,7 @@ class ChainWalk {
   std::span<const Step> steps_;
   std::array<Point, 8> deltas_;
   Point origin_;
+  Connectivity connectivity_;
   bool closed_;
 };
 

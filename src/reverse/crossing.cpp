@@ -39,11 +39,8 @@ bool in_sector(Point at, Point from, Point to, Point c) {
 }
 
 /// A line of a path, by its surroundings.
-struct Box {
-  std::int32_t low_x;
-  std::int32_t high_x;
-  std::int32_t low_y;
-  std::int32_t high_y;
+struct Line {
+  Box box;
   LineId id;
 };
 
@@ -79,26 +76,18 @@ struct Grid {
     return low_y + ((row + 1) << shift);
   }
 
-  static Grid around(std::span<const LineVertices> paths, std::int64_t cell) {
+  static Grid around(std::span<const Line> lines, std::int64_t cell) {
     const int shift =
         static_cast<int>(std::bit_width(static_cast<std::uint64_t>(cell))) - 1;
-    Grid grid{kMaxCoord, kMaxCoord, -kMaxCoord, shift, 1, 1};
-    std::int64_t high_y = -kMaxCoord;
-    std::int64_t vertices = 0;
-    for (const LineVertices& path : paths) {
-      vertices += static_cast<std::int64_t>(path.size());
-      for (const LineVertex& vertex : path) {
-        grid.low_x = std::min<std::int64_t>(grid.low_x, vertex.at.x);
-        grid.high_x = std::max<std::int64_t>(grid.high_x, vertex.at.x);
-        grid.low_y = std::min<std::int64_t>(grid.low_y, vertex.at.y);
-        high_y = std::max<std::int64_t>(high_y, vertex.at.y);
-      }
-    }
-    if (vertices == 0) return {};
+    if (lines.empty()) return {};
+    Box box = lines.front().box;
+    for (const Line& line : lines) box.add(line.box);
+    const auto count = static_cast<std::int64_t>(lines.size());
+    Grid grid{box.low_x, box.low_y, box.high_x, shift, 1, 1};
     for (;; ++grid.shift) {
-      grid.columns = grid.column(grid.high_x) + 1;
-      grid.rows = grid.row(high_y) + 1;
-      if (grid.columns <= 4 * vertices / grid.rows + 1) return grid;
+      grid.columns = grid.column(box.high_x) + 1;
+      grid.rows = grid.row(box.high_y) + 1;
+      if (grid.columns <= 4 * count / grid.rows + 1) return grid;
     }
   }
 };
@@ -109,7 +98,7 @@ class CrossingFinder {
                  const std::vector<bool>& closed)
       : paths_(paths), closed_(closed) {}
 
-  std::vector<CrossingPair> run(std::span<const RowRange> rows,
+  std::vector<CrossingPair> run(std::span<const Box> places,
                                 std::int64_t cell_size);
 
  private:
@@ -166,10 +155,10 @@ class CrossingFinder {
 
   [[nodiscard]] bool meet(LineId first, LineId second) const;
   [[nodiscard]] bool cross_at(LineId p, LineId q, Point at) const;
-  void find_lines(std::span<const RowRange> rows);
+  void find_lines(std::span<const Box> places);
   void enter(std::int32_t line, std::size_t cell);
   void search_crowded(std::size_t cell);
-  void compare(const Box& p, const Box& q);
+  void compare(const Line& p, const Line& q);
 
   /// A cell's lines, the latest first, as a list of entries.
   struct Cell {
@@ -185,7 +174,7 @@ class CrossingFinder {
 
   std::span<const LineVertices> paths_;
   const std::vector<bool>& closed_;
-  std::vector<Box> lines_;
+  std::vector<Line> lines_;
   std::vector<Cell> cells_;
   std::vector<Entry> entries_;
   std::vector<std::size_t> crowded_;
@@ -227,11 +216,8 @@ bool CrossingFinder::meet(LineId first, LineId second) const {
   return false;
 }
 
-void CrossingFinder::compare(const Box& p, const Box& q) {
-  if (p.high_x < q.low_x || q.high_x < p.low_x || p.high_y < q.low_y ||
-      q.high_y < p.low_y || consecutive(p.id, q.id)) {
-    return;
-  }
+void CrossingFinder::compare(const Line& p, const Line& q) {
+  if (!p.box.meets(q.box) || consecutive(p.id, q.id)) return;
   if (meet(p.id, q.id)) found_.push_back({p.id, q.id});
 }
 
@@ -239,7 +225,7 @@ void CrossingFinder::compare(const Box& p, const Box& q) {
 void CrossingFinder::enter(std::int32_t line, std::size_t cell) {
   Cell& c = cells_[cell];
   if (c.count < kFew) {
-    const Box& p = lines_[static_cast<std::size_t>(line)];
+    const Line& p = lines_[static_cast<std::size_t>(line)];
     for (std::int32_t e = c.latest; e >= 0;) {
       const Entry& entry = entries_[static_cast<std::size_t>(e)];
       compare(p, lines_[static_cast<std::size_t>(entry.line)]);
@@ -255,25 +241,43 @@ void CrossingFinder::enter(std::int32_t line, std::size_t cell) {
 
 /// All lines of a cell from left to right, each with those that reach as far.
 void CrossingFinder::search_crowded(std::size_t cell) {
-  std::vector<const Box*> lines;
+  std::vector<const Line*> lines;
   for (std::int32_t e = cells_[cell].latest; e >= 0;) {
     const Entry& entry = entries_[static_cast<std::size_t>(e)];
     lines.push_back(&lines_[static_cast<std::size_t>(entry.line)]);
     e = entry.before;
   }
-  std::sort(lines.begin(), lines.end(),
-            [](const Box* p, const Box* q) { return p->low_x < q->low_x; });
-  std::vector<const Box*> active;
-  for (const Box* line : lines) {
+  std::sort(lines.begin(), lines.end(), [](const Line* p, const Line* q) {
+    return p->box.low_x < q->box.low_x;
+  });
+  std::vector<const Line*> active;
+  for (const Line* line : lines) {
     std::size_t kept = 0;
-    for (const Box* other : active) {
-      if (other->high_x < line->low_x) continue;
+    for (const Line* other : active) {
+      if (other->box.high_x < line->box.low_x) continue;
       active[kept++] = other;
       compare(*line, *other);
     }
     active.resize(kept);
     active.push_back(line);
   }
+}
+
+/// Calls `visit` for the cells of a box if there are at most four; else false.
+template <class Visit>
+bool enter_small(const Grid& grid, const Box& box, const Visit& visit) {
+  const std::int64_t left = grid.column(box.low_x);
+  const std::int64_t right = grid.column(box.high_x);
+  const std::int64_t top = grid.row(box.low_y);
+  const std::int64_t bottom = grid.row(box.high_y);
+  if (right - left > 1 || bottom - top > 1) return false;
+  const std::int64_t first = top * grid.columns + left;
+  visit(static_cast<std::size_t>(first));
+  if (right > left) visit(static_cast<std::size_t>(first + 1));
+  if (bottom == top) return true;
+  visit(static_cast<std::size_t>(first + grid.columns));
+  if (right > left) visit(static_cast<std::size_t>(first + grid.columns + 1));
+  return true;
 }
 
 /// Calls `visit` for every cell that the line may reach, some beside it too.
@@ -311,42 +315,89 @@ void for_cells(const Grid& grid, const Box& line, const Ends& ends,
   }
 }
 
-bool touches(std::span<const RowRange> rows, Point a, Point b) {
-  if (rows.size() == 1 && rows[0].low <= a.y && a.y <= rows[0].high)
-    return true;
-  const auto [low, high] = std::minmax(a.y, b.y);
-  const auto range = std::lower_bound(
-      rows.begin(), rows.end(), low,
-      [](const RowRange& r, std::int32_t y) { return r.high < y; });
-  return range != rows.end() && range->low <= high;
-}
+/// Some places, as the cells of a grid that they reach.
+class Places {
+ public:
+  explicit Places(std::span<const Box> places) : box_(places.front()) {
+    for (const Box& place : places) box_.add(place);
+    all_ = places.size() == 1;
+    if (all_) return;
+    const auto most = static_cast<std::int64_t>(64 * places.size());
+    while (column(box_.high_x) >= most / (row(box_.high_y) + 1)) ++shift_;
+    columns_ = column(box_.high_x) + 1;
+    marks_.resize(static_cast<std::size_t>(columns_ * (row(box_.high_y) + 1)));
+    for (const Box& place : places) {
+      for_cells(place, [this](std::size_t cell) {
+        marks_[cell] = 1;
+        return false;
+      });
+    }
+  }
 
-void CrossingFinder::find_lines(std::span<const RowRange> rows) {
+  /// True if the box reaches one, perhaps if it is near one.
+  [[nodiscard]] bool meets(const Box& box) const {
+    if (!box_.meets(box)) return false;
+    return all_ || for_cells(box, [this](std::size_t cell) {
+             return marks_[cell] != 0;
+           });
+  }
+
+ private:
+  [[nodiscard]] std::int64_t column(std::int64_t x) const {
+    return (x - box_.low_x) >> shift_;
+  }
+  [[nodiscard]] std::int64_t row(std::int64_t y) const {
+    return (y - box_.low_y) >> shift_;
+  }
+
+  /// Until `visit` says true; then true.
+  template <class Visit>
+  bool for_cells(const Box& box, const Visit& visit) const {
+    const std::int64_t left = column(std::max(box.low_x, box_.low_x));
+    const std::int64_t right = column(std::min(box.high_x, box_.high_x));
+    const std::int64_t last = row(std::min(box.high_y, box_.high_y));
+    for (std::int64_t r = row(std::max(box.low_y, box_.low_y)); r <= last; ++r)
+      for (std::int64_t c = left; c <= right; ++c)
+        if (visit(static_cast<std::size_t>(r * columns_ + c))) return true;
+    return false;
+  }
+
+  Box box_;
+  bool all_ = false;
+  int shift_ = 2;
+  std::int64_t columns_ = 1;
+  std::vector<std::uint8_t> marks_;
+};
+
+void CrossingFinder::find_lines(std::span<const Box> boxes) {
+  const Places places(boxes);
   std::size_t most = 0;
   for (const LineVertices& path : paths_) most += path.size();
-  lines_.reserve(most);
+  if (boxes.size() == 1) lines_.reserve(most);
   for (std::uint32_t path = 0; path < paths_.size(); ++path) {
     for (std::uint32_t line = 0; line < lines(path); ++line) {
       const LineId id{path, line};
       const Point a = start(id);
       const Point b = end(id);
-      if (!touches(rows, a, b)) continue;
-      lines_.push_back({std::min(a.x, b.x), std::max(a.x, b.x),
-                        std::min(a.y, b.y), std::max(a.y, b.y), id});
+      const Box box = Box::around(a, b);
+      if (places.meets(box)) lines_.push_back({box, id});
     }
   }
 }
 
-std::vector<CrossingPair> CrossingFinder::run(std::span<const RowRange> rows,
+std::vector<CrossingPair> CrossingFinder::run(std::span<const Box> places,
                                               std::int64_t cell_size) {
-  const Grid grid = Grid::around(paths_, cell_size);
-  find_lines(rows);
+  find_lines(places);
+  const Grid grid = Grid::around(lines_, cell_size);
   cells_.resize(static_cast<std::size_t>(grid.columns * grid.rows));
   entries_.reserve(2 * lines_.size());
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    for_cells(
-        grid, lines_[i], {start(lines_[i].id), end(lines_[i].id)},
-        [&](std::size_t cell) { enter(static_cast<std::int32_t>(i), cell); });
+    const Line& line = lines_[i];
+    const auto visit = [&](std::size_t cell) {
+      enter(static_cast<std::int32_t>(i), cell);
+    };
+    if (!enter_small(grid, line.box, visit))
+      for_cells(grid, line.box, {start(line.id), end(line.id)}, visit);
   }
   for (const std::size_t cell : crowded_) search_crowded(cell);
   return std::move(found_);
@@ -365,9 +416,9 @@ bool change_sides(Point at, Point a_in, Point a_out, Point b_in, Point b_out) {
 
 std::vector<CrossingPair> find_crossings(std::span<const LineVertices> paths,
                                          const std::vector<bool>& closed,
-                                         std::span<const RowRange> rows,
+                                         std::span<const Box> places,
                                          std::int64_t cell_size) {
-  return CrossingFinder(paths, closed).run(rows, cell_size);
+  return CrossingFinder(paths, closed).run(places, cell_size);
 }
 
 }  // namespace unstep::reverse

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,29 +22,53 @@ struct CrossingPair {
   LineId second;
 };
 
-/// Rows of path units: both ends belong to it.
-struct RowRange {
-  std::int64_t low = 0;
-  std::int64_t high = 0;
+/// A rectangle of path units: its sides belong to it.
+struct Box {
+  std::int32_t low_x = 0;
+  std::int32_t high_x = 0;
+  std::int32_t low_y = 0;
+  std::int32_t high_y = 0;
+
+  static Box around(Point a, Point b) {
+    return {std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y),
+            std::max(a.y, b.y)};
+  }
+  void add(const Box& other) {
+    low_x = std::min(low_x, other.low_x);
+    high_x = std::max(high_x, other.high_x);
+    low_y = std::min(low_y, other.low_y);
+    high_y = std::max(high_y, other.high_y);
+  }
+  /// Without branches: which side is free is different each time.
+  [[nodiscard]] bool meets(const Box& other) const {
+    return (static_cast<int>(high_x >= other.low_x) &
+            static_cast<int>(other.high_x >= low_x) &
+            static_cast<int>(high_y >= other.low_y) &
+            static_cast<int>(other.high_y >= low_y)) != 0;
+  }
 };
+
+/// All there is.
+inline constexpr Box kEverywhere{-kMaxCoord, kMaxCoord, -kMaxCoord, kMaxCoord};
 
 /// The pairs of lines that meet otherwise than by touching in a point: they
 /// cross, at a vertex or between, or lie on each other for a length. Lines
 /// that follow one another in a path are not looked at. A pair may come more
-/// than once. `closed[i]`: path i is a ring. Only lines that reach into
-/// `rows`, sorted and apart from each other, are looked at.
+/// than once. `closed[i]`: path i is a ring. Lines that do not reach into any
+/// of `places` are looked at only if they are near one.
 ///
 /// Each line goes into the square cells that it reaches, a power of two wide,
 /// `cell_size` or less at first and twice that until there are at most five
-/// cells to a vertex, and is compared with the lines that are there. Time O(L)
+/// cells to a line, and is compared with the lines that are there. Time O(L)
 /// for L lines that are short or sparse. Memory: 24 bytes per line, 8 per line
-/// and cell that it reaches, 8 per cell.
+/// and cell that it reaches, 8 per cell, 64 per place.
 ///
-/// Range: coordinates are within kMaxCoord, so an orientation, the difference
-/// of two products of differences, is below 2^63.
+/// REQUIRES: `places` is not empty. Range: coordinates are within kMaxCoord, so
+/// an orientation, the difference of two products of differences, is below
+/// 2^63.
 std::vector<CrossingPair> find_crossings(std::span<const LineVertices> paths,
                                          const std::vector<bool>& closed,
-                                         std::span<const RowRange> rows,
+                                         std::span<const Box> places,
                                          std::int64_t cell_size);
 
 /// True if two curves that meet at `at` change sides there, when the first

@@ -94,7 +94,7 @@ class Refiner {
   Part part(LineId id);
   bool is_chain(LineId id);
   void judge(const CrossingPair& pair);
-  void cut(std::uint32_t path, Bad& bad, std::vector<RowRange>& rows);
+  void cut(std::uint32_t path, Bad& bad, std::vector<Box>& places);
   void cut_line(std::uint32_t path, const Bad& bad, std::size_t line,
                 LineVertices& result);
 
@@ -164,8 +164,12 @@ bool Refiner::is_chain(LineId id) {
 }
 
 void Refiner::judge(const CrossingPair& pair) {
-  const LineId a = pair.first;
-  const LineId b = pair.second;
+  // Whichever way round they were found, the later of two equals is cut.
+  const bool in_order = pair.first.path != pair.second.path
+                            ? pair.first.path > pair.second.path
+                            : pair.first.line > pair.second.line;
+  const LineId a = in_order ? pair.first : pair.second;
+  const LineId b = in_order ? pair.second : pair.first;
   const bool same = a.path == b.path;
   const std::size_t lap = std::max<std::size_t>(1, chains_[a.path].size());
   if (parts_cross(part(a), part(b), same, lap)) return;
@@ -194,7 +198,7 @@ void Refiner::cut_line(std::uint32_t path, const Bad& known, std::size_t line,
   fit_lines_between(chains_[path], tolerance_, to.index, longest, result);
 }
 
-void Refiner::cut(std::uint32_t path, Bad& known, std::vector<RowRange>& rows) {
+void Refiner::cut(std::uint32_t path, Bad& known, std::vector<Box>& places) {
   const LineVertices old = paths_[path];
   LineVertices result;
   result.push_back(known.lines.front()
@@ -209,34 +213,14 @@ void Refiner::cut(std::uint32_t path, Bad& known, std::vector<RowRange>& rows) {
       result.push_back(old[line + 1]);
       if (result.size() - before == 2) continue;
     }
-    RowRange range{result[before].at.y, result[before].at.y};
-    for (std::size_t k = before; k < result.size(); ++k) {
-      range.low = std::min<std::int64_t>(range.low, result[k].at.y);
-      range.high = std::max<std::int64_t>(range.high, result[k].at.y);
-    }
-    rows.push_back(range);
+    for (std::size_t k = before; k + 1 < result.size(); ++k)
+      places.push_back(Box::around(result[k].at, result[k + 1].at));
   }
   if (closed_[path] && result.back().at != result.front().at) {
-    rows.push_back({std::min(result.back().at.y, result.front().at.y),
-                    std::max(result.back().at.y, result.front().at.y)});
+    places.push_back(Box::around(result.back().at, result.front().at));
     result.push_back({old.back().index, result.front().at});
   }
   paths_[path] = std::move(result);
-}
-
-/// Sorted and joined where they meet.
-void merge(std::vector<RowRange>& rows) {
-  std::sort(rows.begin(), rows.end(),
-            [](const RowRange& a, const RowRange& b) { return a.low < b.low; });
-  std::size_t kept = 0;
-  for (const RowRange& range : rows) {
-    if (kept > 0 && range.low <= rows[kept - 1].high) {
-      rows[kept - 1].high = std::max(rows[kept - 1].high, range.high);
-    } else {
-      rows[kept++] = range;
-    }
-  }
-  rows.resize(kept);
 }
 
 std::uint64_t Refiner::run() {
@@ -244,20 +228,19 @@ std::uint64_t Refiner::run() {
   const std::int64_t cell_size =
       kCellRows * std::int64_t{chains_.front().delta(0).x};
   std::vector<bool> changed(paths_.size());
-  std::vector<RowRange> rows{{-std::int64_t{kMaxCoord}, kMaxCoord}};
-  while (!rows.empty()) {
+  std::vector<Box> places{kEverywhere};
+  while (!places.empty()) {
     bad_.clear();
     for (const CrossingPair& pair :
-         find_crossings(paths_, closed_, rows, cell_size)) {
+         find_crossings(paths_, closed_, places, cell_size)) {
       judge(pair);
     }
-    rows.clear();
+    places.clear();
     for (auto& [path, known] : bad_) {
       if (!known.any) continue;
-      cut(path, known, rows);
+      cut(path, known, places);
       changed[path] = true;
     }
-    merge(rows);
   }
   return static_cast<std::uint64_t>(
       std::count(changed.begin(), changed.end(), true));

@@ -24,6 +24,7 @@ namespace {
 using reverse::ArcPath;
 using reverse::ChainWalk;
 using reverse::LineVertices;
+using reverse::LookMemory;
 using reverse::NearDirections;
 using reverse::PathTolerance;
 
@@ -50,6 +51,12 @@ Status check_tolerance(const Rational& e) {
                    " is not within 1/256 and 2^20 grid units"};
 }
 
+std::size_t count_steps(std::span<const ChainWalk> chains) {
+  std::size_t steps = 0;
+  for (const ChainWalk& chain : chains) steps += chain.size();
+  return steps;
+}
+
 /// Chains of fewer steps are done before the table of near points is made; that
 /// of the usual tolerance 1 is made once, when all drawings so far have enough.
 constexpr std::size_t kManySteps = std::size_t{1} << 16;
@@ -62,8 +69,7 @@ std::shared_ptr<const NearDirections> near_directions(
       tolerance.fixed > NearDirections::kMaxTolerance) {
     return nullptr;
   }
-  std::size_t steps = 0;
-  for (const ChainWalk& chain : chains) steps += chain.size();
+  const std::size_t steps = count_steps(chains);
   constexpr PathTolerance kOne;
   if (tolerance.fixed == kOne.fixed) {
     static std::atomic<std::size_t> of_all_drawings{0};
@@ -78,12 +84,12 @@ std::shared_ptr<const NearDirections> near_directions(
 }
 
 LineVertices fit(const ChainWalk& chain, const ToleranceOptions& options,
-                 const NearDirections* near) {
+                 const NearDirections* near, LookMemory* memory) {
   const PathTolerance tolerance = in_path_units(options.tolerance);
   const bool sub_grid = path_scale(options.tolerance) > 1;
   if (options.effort != Effort::max) {
     return sub_grid ? reverse::fit_free_lines(chain, tolerance, kBeam)
-                    : reverse::fit_lines(chain, tolerance, near);
+                    : reverse::fit_lines(chain, tolerance, near, memory);
   }
   LineVertices fewest = reverse::fit_fewest_lines(chain, tolerance);
   LineVertices free = reverse::fit_free_lines(chain, tolerance, kWideBeam);
@@ -113,8 +119,7 @@ constexpr std::size_t kLearnedSteps = 1 << 16;
 /// are searched for that, and some again by these prices.
 void learn_prices(std::span<const ChainWalk> chains, PathTolerance tolerance,
                   reverse::CheapSearch& search, reverse::LinePrice& price) {
-  std::size_t steps = 0;
-  for (const ChainWalk& chain : chains) steps += chain.size();
+  const std::size_t steps = count_steps(chains);
   if (steps < kFewSteps) {
     for (const ChainWalk& chain : chains) {
       if (chain.closed() && chain.size() <= reverse::kSpeckSteps) continue;
@@ -166,9 +171,14 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
     lines = fit_cheap(chains, options, price.emplace());
   } else {
     const auto near = near_directions(chains, options);
+    std::optional<LookMemory> memory;
+    // Fewer steps are done before it has filled.
+    const std::size_t steps = count_steps(chains);
+    if (near != nullptr && steps >= kSomeSteps) memory.emplace(steps);
     lines.reserve(chains.size());
     for (const ChainWalk& chain : chains) {
-      lines.push_back(fit(chain, options, near.get()));
+      lines.push_back(
+          fit(chain, options, near.get(), memory ? &*memory : nullptr));
       lines.back().shrink_to_fit();
     }
   }

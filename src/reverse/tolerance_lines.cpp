@@ -25,7 +25,7 @@ struct Ends {
 class Look {
  public:
   Look(const ChainWalk& chain, PathTolerance tolerance,
-       const NearDirections* near)
+       const NearDirections* near, LookMemory* memory)
       : chain_(chain), cone_(tolerance), near_(near) {
     for (std::size_t code = 0; code < moves_.size(); ++code) {
       const Point delta = chain.delta(static_cast<Step>(code));
@@ -33,11 +33,35 @@ class Look {
       // A longer step could pass the border of the near points.
       if (std::abs(delta.x) > 1 || std::abs(delta.y) > 1) near_ = nullptr;
     }
+    if (near_ != nullptr && memory != nullptr) memory->begin(chain);
+    if (near_ != nullptr && memory != nullptr && memory->in_use())
+      memory_ = memory;
   }
 
   /// Looks no farther than `limit`.
   /// REQUIRES: from.index < limit, and `from` on the chain.
   Ends ends(const LineVertex& from, std::size_t limit) {
+    if (memory_ == nullptr) return look(from, limit);
+    std::size_t index = from.index;
+    while (index >= chain_.size()) index -= chain_.size();
+    const std::uint64_t word = memory_->word_at(index);
+    if (const auto known = memory_->find(word, limit - from.index)) {
+      return {
+          {from.index + known->farthest_after, moved(from.at, known->farthest)},
+          {from.index + known->before_after, moved(from.at, known->before)}};
+    }
+    const Ends result = look(from, limit);
+    const std::size_t seen = index_ - from.index;
+    if (near_done_ && seen < LookMemory::kSteps && index_ < limit) {
+      memory_->keep(
+          word, seen,
+          {farthest_index_ - from_, before_index_ - from_, farthest_, before_});
+    }
+    return result;
+  }
+
+ private:
+  Ends look(const LineVertex& from, std::size_t limit) {
     from_ = from.index;
     limit_ = limit;
     index_ = from.index;
@@ -45,12 +69,12 @@ class Look {
     farthest_index_ = before_index_ = from.index;
     stop_ = std::min(limit, from.index + kPatience);
     cone_.restart();
-    if (near_ == nullptr || !is_done_near(*near_)) look_far();
+    near_done_ = near_ != nullptr && is_done_near(*near_);
+    if (!near_done_) look_far();
     return {{farthest_index_, moved(from.at, farthest_)},
             {before_index_, moved(from.at, before_)}};
   }
 
- private:
   void found(Point offset) {
     before_ = farthest_;
     before_index_ = farthest_index_;
@@ -80,6 +104,8 @@ class Look {
   const ChainWalk& chain_;
   Cone cone_;
   const NearDirections* near_;
+  LookMemory* memory_ = nullptr;
+  bool near_done_ = false;  ///< the last look went no farther
   std::array<std::int32_t, 8> moves_;
   std::size_t from_ = 0;
   std::size_t limit_ = 0;
@@ -322,13 +348,11 @@ void normalise(const ChainWalk& chain, LineVertices& ring) {
 }  // namespace
 
 LineVertices fit_lines(const ChainWalk& chain, PathTolerance tolerance,
-                       const NearDirections* near) {
+                       const NearDirections* near, LookMemory* memory) {
   LineVertices vertices{{0, chain.origin()}};
   if (chain.size() == 0) return vertices;
-  Look look(chain, tolerance, near);
-  if (chain.closed() && chain.size() <= kSpeckSteps) {
-    return corners(chain);
-  }
+  if (chain.closed() && chain.size() <= kSpeckSteps) return corners(chain);
+  Look look(chain, tolerance, near, memory);
   if (!chain.closed()) {
     append_lines(chain, chain.size(), look, vertices);
     return vertices;
@@ -342,7 +366,7 @@ LineVertices fit_lines(const ChainWalk& chain, PathTolerance tolerance,
 void fit_lines_between(const ChainWalk& chain, PathTolerance tolerance,
                        std::size_t last, std::size_t longest,
                        LineVertices& vertices) {
-  Look look(chain, tolerance, nullptr);
+  Look look(chain, tolerance, nullptr, nullptr);
   if (vertices.back().index >= last) return;
   OnePass lines(look, longest);
   lines.begin(vertices.back(), last);

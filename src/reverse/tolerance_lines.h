@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "reverse/chain_walk.h"
+#include "reverse/look_memory.h"
 #include "reverse/near_directions.h"
 #include "reverse/tolerance_cone.h"
 
@@ -24,9 +25,11 @@ inline constexpr std::size_t kSpeckSteps = 8;
 
 /// One pass, vertices on points of the chain: from each vertex the farthest
 /// point to which the cone allows a line. Time O(steps).
-/// `near`: of the same tolerance, or nullptr; the lines are the same.
+/// `near` and `memory`, which only serves beside it: of the same tolerance, or
+/// nullptr; the lines are the same.
 LineVertices fit_lines(const ChainWalk& chain, PathTolerance tolerance,
-                       const NearDirections* near = nullptr);
+                       const NearDirections* near = nullptr,
+                       LookMemory* memory = nullptr);
 
 /// The same for a part of a chain, from the last of `vertices`, a point of the
 /// chain, to point `last`; no line stands for more than `longest` >= 1 steps.

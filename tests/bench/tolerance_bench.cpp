@@ -99,9 +99,11 @@ bool measure(const fs::path& folder, const ToleranceOptions& options) {
           ? nullptr
           : std::make_unique<const reverse::NearDirections>(fixed);
   const double one_pass = best_of_five([&] {
+    reverse::LookMemory memory(static_cast<std::size_t>(steps));
     for (const Drawing& drawing : drawings) {
       for (const Chain& chain : drawing.chains) {
-        (void)reverse::fit_lines({chain, YAxis::down, 1}, fixed, near.get());
+        (void)reverse::fit_lines({chain, YAxis::down, 1}, fixed, near.get(),
+                                 &memory);
       }
     }
   });

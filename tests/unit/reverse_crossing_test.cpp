@@ -78,7 +78,7 @@ LineVertices vertices(const std::vector<Point>& points) {
 
 std::size_t found(const std::vector<LineVertices>& paths,
                   const std::vector<bool>& closed) {
-  const std::vector<reverse::RowRange> all{{-kMaxCoord, kMaxCoord}};
+  const std::vector<reverse::Box> all{reverse::kEverywhere};
   return reverse::find_crossings(paths, closed, all, 16).size();
 }
 
@@ -142,7 +142,7 @@ TEST(Crossing, AgreesWithBruteForceOnRandomLines) {
       drawn.push_back(path);
     }
     const std::vector<bool> closed(paths.size());
-    const std::vector<reverse::RowRange> all{{-kMaxCoord, kMaxCoord}};
+    const std::vector<reverse::Box> all{reverse::kEverywhere};
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const auto& pair : reverse::find_crossings(paths, closed, all, 16)) {
       pairs.push_back(std::minmax(pair.first.path, pair.second.path));

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <vector>
 
 #include "reverse/tolerance_lines.h"
 #include "unit/reverse_tolerance_chains.h"
@@ -42,6 +43,36 @@ TEST(NearDirections, GiveTheLinesOfTheConeOfVectors) {
     }
     for (const Chain& contour : contours_of(disc(60, 50))) {
       expect_same(contour, *near, tolerance);
+    }
+  }
+}
+
+/// The same chains again and again: what one remembers serves the others.
+TEST(LookMemory, GivesTheLinesOfLooking) {
+  std::mt19937 random(21);
+  for (const std::int64_t fixed : kTolerances) {
+    const PathTolerance tolerance{fixed};
+    const auto near = std::make_unique<const NearDirections>(tolerance);
+    std::vector<Chain> chains = contours_of(disc(40, 33));
+    for (const std::uint32_t sticking : {0U, 40U, 120U, 200U}) {
+      const auto contours = contours_of(blots(random, 64, sticking));
+      chains.insert(chains.end(), contours.begin(), contours.end());
+    }
+    for (std::size_t i = 0; i < 40; ++i) {
+      // 8-connected, for which nothing is remembered, and open ends.
+      chains.push_back(random_chain(random, 1 + random() % 100, 6));
+      chains.push_back(chains[i % chains.size()]);
+      chains.back().closed = false;
+      chains.back().steps.resize(chains.back().steps.size() * 2 / 3);
+    }
+    for (const YAxis axis : {YAxis::up, YAxis::down}) {
+      LookMemory memory(1000);
+      for (const Chain& chain : chains) {
+        const ChainWalk walk(chain, axis, 1);
+        EXPECT_EQ(fit_lines(walk, tolerance, near.get()),
+                  fit_lines(walk, tolerance, near.get(), &memory))
+            << fixed << ", " << chain.steps.size() << " steps";
+      }
     }
   }
 }
