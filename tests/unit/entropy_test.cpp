@@ -283,37 +283,46 @@ struct PlainSlots {
   }
 };
 
-TEST(ContextSlots, WorkAsSlotsOneByOne) {
-  constexpr std::array<int, 5> kBits{8, 9, 4, 10, 8};
-  ContextSlots<5> slots(kBits);
+template <std::size_t kContexts>
+void expect_slots_one_by_one(const std::array<int, kContexts>& bits) {
+  using Slots = ContextSlots<kContexts>;
+  constexpr std::size_t kLanes = Slots::kLanes;
+  Slots slots(bits);
   PlainSlots plain;
   std::mt19937_64 random(8);
   for (int round = 0; round < 20'000; ++round) {
-    std::array<std::uint64_t, 5> hashes{};
-    for (std::size_t i = 0; i < 5; ++i) {
+    std::array<std::uint64_t, kContexts> hashes{};
+    for (std::size_t i = 0; i < kContexts; ++i) {
       hashes[i] = random() % 200 * 0x9e3779b97f4a7c15ULL;
       slots.ask(i, hashes[i]);
     }
     slots.learn([](std::size_t, bool) {});
     slots.recall();
     for (std::size_t node = 0; node < 2; ++node) {
-      alignas(16) std::array<std::int16_t, ContextSlots<5>::kInputs> inputs{};
+      alignas(16) std::array<std::int16_t, Slots::kInputs> inputs{};
       slots.predict(node, inputs.data());
       const bool bit = random() % 3 == 0;
-      for (std::size_t i = 0; i < 5; ++i) {
-        Counter& c = plain.find(i, kBits[i], hashes[i]).counters[node];
+      for (std::size_t i = 0; i < kContexts; ++i) {
+        Counter& c = plain.find(i, bits[i], hashes[i]).counters[node];
         ASSERT_EQ(inputs[i], stretch(c.p));
-        ASSERT_EQ(inputs[16 + i],
+        ASSERT_EQ(inputs[kLanes + i],
                   ((c.p - 32768) * (51 * std::min<int>(c.n, 30))) >> 16);
         c.update(bit);
       }
-      for (std::size_t i = 5; i < 16; ++i) {
+      for (std::size_t i = kContexts; i < kLanes; ++i) {
         ASSERT_EQ(inputs[i], 0);
-        ASSERT_EQ(inputs[16 + i], 0);
+        ASSERT_EQ(inputs[kLanes + i], 0);
       }
       slots.note(node, bit);
     }
   }
+}
+
+TEST(ContextSlots, WorkAsSlotsOneByOne) {
+  static_assert(ContextSlots<5>::kLanes == 8);
+  expect_slots_one_by_one<5>({8, 9, 4, 10, 8});
+  static_assert(ContextSlots<11>::kLanes == 16);
+  expect_slots_one_by_one<11>({8, 9, 4, 10, 8, 7, 8, 9, 5, 10, 8});
 }
 
 TEST(Counter, ConvergesToTheShareOfOnes) {

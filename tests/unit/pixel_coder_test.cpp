@@ -123,7 +123,7 @@ TEST(Pixels, HaveTheseBytes) {
   };
   EXPECT_EQ(sum(kPixelsBlended), 2376980130U);
   EXPECT_EQ(sum(kPixelsMixed), 2848921427U);
-  EXPECT_EQ(sum(kPixelsDeep), 0U);
+  EXPECT_EQ(sum(kPixelsDeep), 3667084965U);
 }
 
 TEST(Pixels, ArePickedForDitherAndSmallerThere) {
