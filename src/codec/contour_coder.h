@@ -29,11 +29,6 @@ inline constexpr std::uint8_t kContourMax = 1;
 inline constexpr std::uint8_t kContourFast = 2;
 inline constexpr std::uint8_t kContourLight = 3;
 
-[[nodiscard]] constexpr std::uint8_t contour_revision(Effort effort) {
-  return effort == Effort::fast  ? kContourFast
-         : effort == Effort::max ? kContourMax
-                                 : kContourStandard;
-}
 [[nodiscard]] constexpr bool is_contour_revision(std::uint8_t revision) {
   return revision <= kContourLight;
 }

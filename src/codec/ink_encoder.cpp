@@ -100,18 +100,23 @@ Result<bool> lines_pay(const Bitmap& ink, Rows sample, std::uint8_t revision) {
   return !lines->empty() && lines->size() * 100 < contours->size() * kPercent;
 }
 
+EncodedBlock as_lines(std::vector<std::uint8_t> payload) {
+  return {{kCoderCentrelines, kCentrelineRevision, kCentrelineTable},
+          std::move(payload)};
+}
+
 /// Lines or contours, what is smaller as far as that is known.
 Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
-                                 std::int32_t rows, Effort effort,
+                                 std::int32_t rows,
                                  const BlockProgress& progress) {
-  const std::uint8_t revision = contour_revision(effort);
   const Rows sample = sample_of(ink, first_row, rows);
-  const bool sure = effort == Effort::max || sample.count == rows;
+  const bool sure = sample.count == rows;
   if (!sure) {
-    const Result<bool> pay = lines_pay(ink, sample, revision);
+    const Result<bool> pay = lines_pay(ink, sample, kContourStandard);
     if (!pay) return pay.error();
     if (!*pay) {
-      return encode_by_contours(ink, first_row, rows, revision, progress);
+      return encode_by_contours(ink, first_row, rows, kContourStandard,
+                                progress);
     }
   }
   Result<std::vector<std::uint8_t>> lines =
@@ -119,15 +124,53 @@ Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
   if (!lines) return lines.error();
   if (sure || lines->empty()) {
     Result<EncodedBlock> contours =
-        encode_by_contours(ink, first_row, rows, revision, progress);
+        encode_by_contours(ink, first_row, rows, kContourStandard, progress);
     if (!contours) return contours.error();
     if (lines->empty() || contours->payload.size() <= lines->size()) {
       return contours;
     }
   }
-  return EncodedBlock{
-      {kCoderCentrelines, kCentrelineRevision, kCentrelineTable},
-      *std::move(lines)};
+  return as_lines(*std::move(lines));
+}
+
+Result<EncodedBlock> encode_with_shapes(const Bitmap& ink,
+                                        std::int32_t first_row,
+                                        std::int32_t rows, Effort effort,
+                                        const BlockProgress& progress) {
+  const std::uint8_t revision = shape_revision(effort);
+  Result<std::vector<std::uint8_t>> shapes =
+      encode_shapes(ink, first_row, rows, revision, progress);
+  if (!shapes) return shapes.error();
+  return EncodedBlock{{kCoderShapes, revision, warm::kTableId},
+                      *std::move(shapes)};
+}
+
+/// All ways, and of these the one that takes the fewest bytes.
+Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
+                                     std::int32_t rows,
+                                     const BlockProgress& progress) {
+  Result<EncodedBlock> best =
+      encode_by_contours(ink, first_row, rows, kContourStandard, progress);
+  // A coder that is not the usual one is named: a byte.
+  const auto keep = [&](Result<EncodedBlock> block) {
+    if (!best) return;
+    if (!block) {
+      best = std::move(block);
+    } else if (!block->payload.empty() &&
+               block->payload.size() + 1 < best->payload.size()) {
+      best = std::move(block);
+    }
+  };
+  keep(encode_by_contours(ink, first_row, rows, kContourMax, progress));
+  keep(encode_with_shapes(ink, first_row, rows, Effort::max, progress));
+  keep(encode_by_pixels(ink, first_row, rows, kPixelsDeep, progress));
+  if (is_thin(ink, first_row, rows)) {
+    Result<std::vector<std::uint8_t>> lines =
+        encode_centrelines(ink, first_row, rows, progress);
+    if (!lines) return lines.error();
+    keep(as_lines(*std::move(lines)));
+  }
+  return best;
 }
 
 /// Small drawings end before pixels have learned anything.
@@ -139,8 +182,7 @@ Result<EncodedBlock> encode_fast(const Bitmap& ink, std::int32_t first_row,
                                  std::int32_t rows, const PixelTexture& texture,
                                  const BlockProgress& progress) {
   if (is_small(ink, rows, kSmallestFastPixels)) {
-    return encode_by_contours(ink, first_row, rows,
-                              contour_revision(Effort::fast), progress);
+    return encode_by_contours(ink, first_row, rows, kContourFast, progress);
   }
   return encode_by_pixels(ink, first_row, rows,
                           texture.is_drawn() ? kPixelsMixed : kPixelsBlended,
@@ -152,7 +194,6 @@ Result<EncodedBlock> encode_fast(const Bitmap& ink, std::int32_t first_row,
 Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
                                 std::int32_t rows, Effort effort,
                                 const BlockProgress& progress) {
-  const std::uint8_t revision = contour_revision(effort);
   const PixelTexture texture = pixel_texture(ink, first_row, rows);
   if (texture.is_dithered() && !is_small(ink, rows, kSmallestDither)) {
     return encode_by_pixels(ink, first_row, rows,
@@ -162,17 +203,16 @@ Result<EncodedBlock> encode_ink(const Bitmap& ink, std::int32_t first_row,
   if (effort == Effort::fast) {
     return encode_fast(ink, first_row, rows, texture, progress);
   }
-  Result<std::vector<std::uint8_t>> shapes =
-      encode_shapes(ink, first_row, rows, shape_revision(effort), progress);
-  if (!shapes) return shapes.error();
-  if (!shapes->empty()) {
-    return EncodedBlock{{kCoderShapes, shape_revision(effort), warm::kTableId},
-                        *std::move(shapes)};
+  if (effort == Effort::max) {
+    return encode_smallest(ink, first_row, rows, progress);
   }
+  Result<EncodedBlock> shapes =
+      encode_with_shapes(ink, first_row, rows, effort, progress);
+  if (!shapes || !shapes->payload.empty()) return shapes;
   if (!is_thin(ink, first_row, rows)) {
-    return encode_by_contours(ink, first_row, rows, revision, progress);
+    return encode_by_contours(ink, first_row, rows, kContourStandard, progress);
   }
-  return encode_thin(ink, first_row, rows, effort, progress);
+  return encode_thin(ink, first_row, rows, progress);
 }
 
 }  // namespace unstep::codec
