@@ -13,7 +13,7 @@ namespace unstep::codec {
 inline constexpr std::uint8_t kPixelsBlended = 0;
 /// Four contexts, mixed.
 inline constexpr std::uint8_t kPixelsMixed = 1;
-/// Eight contexts under the mixer of shapes.
+/// Eight contexts, mixed and refined.
 inline constexpr std::uint8_t kPixelsDeep = 2;
 inline constexpr std::uint8_t kPixelTable = 0;
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "codec/context.h"
+#include "codec/pixel_mixer.h"
 #include "codec/pixel_rows.h"
 #include "codec/pixel_slots.h"
-#include "codec/shape_mixer.h"
 #include "entropy/logistic.h"
 #include "entropy/mixer.h"
 
@@ -126,22 +126,20 @@ class MixedPixels {
   Mixer mixer_{{512}, std::array<Mixer::Inputs, 1>{initial()}};
 };
 
-/// Eight contexts under the mixer of shapes, for scans: what is left of a page
-/// is noise along edges, of which pixels say as much as contours in a third of
-/// the time.
+/// Eight contexts of up to 57 pixels, mixed and refined: for dither.
 class DeepPixels {
  public:
   static constexpr int kBits = 16;
   static constexpr unsigned kRare = 3000U;
 
   static std::uint64_t memory() {
-    return ShapeMixer::memory(kBits) + (std::uint64_t{1} << 18);
+    return PixelMixer::memory(kBits) + (std::uint64_t{1} << 18);
   }
 
   template <class Coder>
   bool code(Coder& coder, bool truth, const PixelWindow& window,
             std::uint64_t near, int /*near_p*/) {
-    const ShapeMixer::Contexts contexts{
+    const PixelMixer::Contexts contexts{
         near,
         pixel_contexts::small(window),
         pixel_contexts::middle(window),
@@ -159,7 +157,7 @@ class DeepPixels {
   }
 
  private:
-  ShapeMixer mixer_{kBits, {512, 128}};
+  PixelMixer mixer_{kBits, {512, 128}};
 };
 
 }  // namespace unstep::codec

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "codec/pixel_mixer.h"
 #include "codec/shape_glyph.h"
-#include "codec/shape_mixer.h"
 #include "entropy/counter.h"
 
 namespace unstep::codec {
@@ -29,7 +29,7 @@ class ShapePixels {
         quiet_(std::size_t{1} << 7) {}
 
   static std::uint64_t memory(int table_bits) {
-    return ShapeMixer::memory(table_bits) + (1 << 20);
+    return PixelMixer::memory(table_bits) + (1 << 20);
   }
 
   /// `truth` is null for a decoder. `reference` is null or aligned with
@@ -243,7 +243,7 @@ class ShapePixels {
         static_cast<std::uint64_t>(std::min(width_ - x, 31)) << 15;
     const std::uint64_t r3 = above(3, x);
     const std::uint64_t r4 = above(4, x);
-    ShapeMixer::Contexts c;
+    PixelMixer::Contexts c;
     c[0] = before(n.r0, 6) | cut(n.r1, 4, 4) << 6 | cut(n.r2, 3, 3) << 15 |
            cut(r3, 2, 2) << 22;
     c[1] = before(n.r0, 8) | cut(n.r1, 6, 6) << 8 | cut(n.r2, 5, 5) << 21 |
@@ -253,7 +253,7 @@ class ShapePixels {
     c[3] = before(n.r0, 1) | cut(n.r1, 1, 3) << 1 | cut(n.r2, 1, 1) << 6 |
            cut(r3, 1, 1) << 9 | cut(r4, 1, 1) << 12 |
            cut(above(5, x), 1, 1) << 15 | cut(above(6, x), 1, 1) << 18;
-    ShapeMixer::Chosen chosen;
+    PixelMixer::Chosen chosen;
     if (refers_) {
       const std::uint64_t quality = errors_ < 1024    ? 0
                                     : errors_ < 4096  ? 1
@@ -281,7 +281,7 @@ class ShapePixels {
     return mixer_.code(coder, truth, c, chosen);
   }
 
-  ShapeMixer mixer_;
+  PixelMixer mixer_;
   std::vector<entropy::Counter> gates_;
   std::vector<entropy::Counter> quiet_;
   std::int32_t errors_ = 0;

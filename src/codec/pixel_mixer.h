@@ -23,7 +23,7 @@ namespace unstep::codec {
 /// the mixer says is refined by what followed where it said the same under the
 /// same vector of the first set. A DecisionModel that checks its slots and is
 /// made for vector code.
-class ShapeMixer {
+class PixelMixer {
  public:
   static constexpr std::size_t kContexts = 8;
   static constexpr std::size_t kInputs = 2 * kContexts;
@@ -32,7 +32,7 @@ class ShapeMixer {
   using Chosen = std::array<std::size_t, kSets>;
 
   /// 2^table_bits slots per context. REQUIRES: 8 <= table_bits <= 24.
-  ShapeMixer(int table_bits, const Chosen& selectors)
+  PixelMixer(int table_bits, const Chosen& selectors)
       : bits_(table_bits),
         slots_(kContexts << table_bits),
         mixer_(selectors, std::array<Weights, 1>{initial()}),
