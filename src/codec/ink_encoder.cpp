@@ -145,24 +145,30 @@ Result<EncodedBlock> encode_with_shapes(const Bitmap& ink,
                       *std::move(shapes)};
 }
 
-/// All ways, and of these the one that takes the fewest bytes.
+/// Bytes in a file: a coder that is not the usual one is named.
+std::size_t cost(const EncodedBlock& block) {
+  const bool usual =
+      block.name == CoderName{kCoderContours, kContourStandard, warm::kTableId};
+  return block.payload.size() + (usual ? 0 : 1);
+}
+
+/// All ways, and of these the one that takes the fewest bytes: never more than
+/// the standard effort, whose ways are among them.
 Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
                                      std::int32_t rows,
                                      const BlockProgress& progress) {
   Result<EncodedBlock> best =
       encode_by_contours(ink, first_row, rows, kContourStandard, progress);
-  // A coder that is not the usual one is named: a byte.
   const auto keep = [&](Result<EncodedBlock> block) {
     if (!best) return;
-    if (!block) {
-      best = std::move(block);
-    } else if (!block->payload.empty() &&
-               block->payload.size() + 1 < best->payload.size()) {
+    if (!block || (!block->payload.empty() && cost(*block) < cost(*best))) {
       best = std::move(block);
     }
   };
   keep(encode_by_contours(ink, first_row, rows, kContourMax, progress));
-  keep(encode_with_shapes(ink, first_row, rows, Effort::max, progress));
+  for (const Effort effort : {Effort::standard, Effort::max}) {
+    keep(encode_with_shapes(ink, first_row, rows, effort, progress));
+  }
   keep(encode_by_pixels(ink, first_row, rows, kPixelsDeep, progress));
   if (is_thin(ink, first_row, rows)) {
     Result<std::vector<std::uint8_t>> lines =

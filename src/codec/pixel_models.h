@@ -126,7 +126,7 @@ class MixedPixels {
   Mixer mixer_{{512}, std::array<Mixer::Inputs, 1>{initial()}};
 };
 
-/// Eight contexts of up to 57 pixels, mixed and refined: for dither.
+/// Eight contexts of up to 64 pixels, mixed and refined: for dither.
 class DeepPixels {
  public:
   static constexpr int kBits = 16;

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "codec/context.h"
+#include "codec/colour_run.h"
 #include "codec/pixel_models.h"
 #include "codec/pixel_rows.h"
 #include "codec/pixel_slots.h"
@@ -33,18 +33,7 @@ class PixelRuns {
     const bool changes =
         coder.code(change < end, std::clamp<int>(slot.p, 2, 65534));
     slot.learn(changes);
-    if (!changes) return end;
-    std::int32_t low = x;
-    std::int32_t high = end;
-    while (high - low > 1) {
-      const std::int32_t middle = low + (high - low) / 2;
-      if (coder.code(change >= middle, 32768)) {
-        low = middle;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
+    return changes ? code_change(coder, change, x, end) : end;
   }
 
  private:

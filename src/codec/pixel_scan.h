@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codec/block_coder.h"
+#include "codec/colour_run.h"
 #include "codec/pixel_masks.h"
 #include "codec/pixel_models.h"
 #include "codec/pixel_rows.h"
@@ -129,25 +130,13 @@ class PixelScan {
     const auto top = static_cast<unsigned>(window.cut(2, 0, 0));
     const bool ink = above != 0;
     const std::int32_t change =
-        truth_ != nullptr ? first_other(x, end, ink ? ~std::uint64_t{0} : 0)
-                          : end;
+        truth_ != nullptr ? first_other(truth_, x, end, ink) : end;
     const std::int32_t found = runs_.code_run(side_.coder(), change, x, end,
                                               above | top << 1, end == width_);
     if (ink) fill(x, found);
     if (found == end) return end;
     if (!ink) set(found);
     return found + 1;
-  }
-
-  /// The first pixel from x on that is not of the colour; at most `end`.
-  [[nodiscard]] std::int32_t first_other(std::int32_t x, std::int32_t end,
-                                         std::uint64_t colour) const {
-    while (x < end) {
-      const std::uint64_t other = (truth_[x >> 6] ^ colour) << (x & 63);
-      if (other != 0) return std::min(end, x + std::countl_zero(other));
-      x += 64 - (x & 63);
-    }
-    return end;
   }
 
   void set(std::int32_t x) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "codec/colour_run.h"
 #include "codec/pixel_mixer.h"
 #include "codec/shape_glyph.h"
 #include "entropy/counter.h"
@@ -149,18 +150,6 @@ class ShapePixels {
     return std::min(end, width);
   }
 
-  /// The first pixel from x on that is not of the colour; `end` if none is.
-  static std::int32_t first_other(const std::uint64_t* row, std::int32_t x,
-                                  std::int32_t end, bool ink) {
-    const std::uint64_t colour = ink ? ~std::uint64_t{0} : 0;
-    while (x < end) {
-      const std::uint64_t other = (row[x / 64] ^ colour) << x % 64;
-      if (other != 0) return std::min(end, x + std::countl_zero(other));
-      x += 64 - x % 64;
-    }
-    return end;
-  }
-
   /// One decision whether a quiet run is all of its colour. Returns where to
   /// go on.
   template <class Coder>
@@ -181,16 +170,7 @@ class ShapePixels {
       if (ink) canvas.fill(x, end, y);
       return end;
     }
-    std::int32_t low = x;
-    std::int32_t high = end;
-    while (high - low > 1) {
-      const std::int32_t middle = low + (high - low) / 2;
-      if (coder.code(change >= middle, 32768)) {
-        low = middle;
-      } else {
-        high = middle;
-      }
-    }
+    const std::int32_t low = code_change(coder, change, x, end);
     if (ink) {
       canvas.fill(x, low, y);
     } else {

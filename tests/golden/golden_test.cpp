@@ -219,6 +219,23 @@ TEST(Golden, ExampleOfTheFormatDescriptionIsTrue) {
                        "short_glyph_8x8.ustp"));
 }
 
+/// A golden file, and its first page.
+struct GoldenPage {
+  Bytes file;
+  Page page;
+};
+Result<GoldenPage> golden_page(const std::string& name) {
+  GoldenPage golden;
+  golden.file =
+      read(source_dir() / "tests" / "golden" / "valid" / (name + ".ustp"));
+  const Result<UstpReader> reader = UstpReader::open(golden.file, {});
+  if (!reader) return reader.error();
+  Result<Page> page = reader->read_page(0);
+  if (!page) return page.error();
+  golden.page = *std::move(page);
+  return golden;
+}
+
 /// The golden files were made by an optimised build; this test runs in every
 /// build, without optimisation too. That ties the models to no compiler.
 TEST(Golden, EveryBuildMakesTheSameBytes) {
@@ -236,31 +253,24 @@ TEST(Golden, EveryBuildMakesTheSameBytes) {
       {"chains_long_lines", standard}};
   for (const auto& [name, options] : names) {
     SCOPED_TRACE(name);
-    const Bytes file =
-        read(source_dir() / "tests" / "golden" / "valid" / (name + ".ustp"));
-    const Result<UstpReader> reader = UstpReader::open(file, {});
-    ASSERT_TRUE(reader);
-    const Result<Page> page = reader->read_page(0);
-    ASSERT_TRUE(page);
+    const Result<GoldenPage> golden = golden_page(name);
+    ASSERT_TRUE(golden);
+    const Page& page = golden->page;
     UstpWriter writer(options);
-    const PageInfo& info = reader->info().pages[0].info;
-    const bool ink = page->kind == PageKind::ink;
-    ASSERT_TRUE(ink ? writer.add_page(page->ink, info)
-                    : writer.add_page(page->drawing, info));
-    EXPECT_EQ(*writer.finish(), file);
+    ASSERT_TRUE(page.kind == PageKind::ink
+                    ? writer.add_page(page.ink, page.info)
+                    : writer.add_page(page.drawing, page.info));
+    EXPECT_EQ(*writer.finish(), golden->file);
   }
 }
 
 /// The effort max takes what is smallest, so these are asked for by name.
 TEST(Golden, EveryBuildMakesTheSamePayloadsOfMax) {
   const auto expect_payload = [](const std::string& name, const auto& encode) {
-    const Bytes file =
-        read(source_dir() / "tests" / "golden" / "valid" / (name + ".ustp"));
-    const Result<UstpReader> reader = UstpReader::open(file, {});
-    ASSERT_TRUE(reader);
-    const Result<Page> page = reader->read_page(0);
-    ASSERT_TRUE(page);
-    const Result<Bytes> payload = encode(page->ink);
+    const Result<GoldenPage> golden = golden_page(name);
+    ASSERT_TRUE(golden);
+    const Bytes& file = golden->file;
+    const Result<Bytes> payload = encode(golden->page.ink);
     ASSERT_TRUE(payload);
     ASSERT_LT(payload->size(), file.size());
     EXPECT_TRUE(std::equal(payload->rbegin(), payload->rend(), file.rbegin()))
