@@ -5,13 +5,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
-#include <initializer_list>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/heap.h"
 #include "cli/interrupt.h"
 #include "cli/verbs.h"
 #include "unstep/unstep.h"
@@ -19,10 +20,31 @@
 namespace unstep::cli {
 namespace {
 
+struct Verb {
+  std::string_view name;
+  AddVerb add;
+};
+
 /// The verbs, in the order of --help.
-constexpr std::initializer_list<AddVerb> kVerbs = {
-    add_compress, add_decompress,  add_convert, add_verify, add_info,
-    add_batch,    add_interpolate, add_reverse, add_steps,  add_simulate};
+constexpr Verb kVerbs[] = {{"compress", add_compress},
+                           {"decompress", add_decompress},
+                           {"convert", add_convert},
+                           {"verify", add_verify},
+                           {"info", add_info},
+                           {"batch", add_batch},
+                           {"interpolate", add_interpolate},
+                           {"reverse", add_reverse},
+                           {"steps", add_steps},
+                           {"simulate", add_simulate}};
+
+/// Adds the verb that the first argument names, or all if it names none: the
+/// options of all take longer to make than a small file to compress.
+void add_verbs(CLI::App& app, Context& context, std::string_view first) {
+  for (const Verb& verb : kVerbs) {
+    if (verb.name == first) return verb.add(app, context);
+  }
+  for (const Verb& verb : kVerbs) verb.add(app, context);
+}
 
 /// The name of the verb the user chose, to point at its help.
 std::string help_command(const CLI::App& app) {
@@ -55,7 +77,7 @@ ExitCode run(int argc, char** argv) {
                        "Print the versions of program and file format");
   app.require_subcommand(1);
   Context context;
-  for (const AddVerb add_verb : kVerbs) add_verb(app, context);
+  add_verbs(app, context, argc > 1 ? argv[1] : "");
   try {
     app.parse(argc > 0 ? reversed_arguments(argc, argv)
                        : std::vector<std::string>());
@@ -84,6 +106,7 @@ ExitCode flush_output(ExitCode code) {
 
 int main(int argc, char** argv) {
   using unstep::cli::ExitCode;
+  unstep::cli::prepare_heap();
   try {
     return static_cast<int>(
         unstep::cli::flush_output(unstep::cli::run(argc, argv)));
