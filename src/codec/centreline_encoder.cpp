@@ -1,8 +1,8 @@
-#include <bit>
 
 #include "codec/centreline_coder.h"
 #include "codec/centreline_scan.h"
 #include "entropy/arithmetic_encoder.h"
+#include "grid/bit_count.h"
 
 namespace unstep::codec {
 namespace {
@@ -43,10 +43,10 @@ bool is_thin(const Bitmap& ink, std::int32_t first_row, std::int32_t rows) {
     const auto above = y > first_row ? ink.row(y - 1) : row;
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (row[i] == 0) continue;
-      pixels += static_cast<std::uint64_t>(std::popcount(row[i]));
+      pixels += static_cast<std::uint64_t>(ones(row[i]));
       if (y == first_row) continue;
       const std::uint64_t both = row[i] & above[i];
-      squares += static_cast<std::uint64_t>(std::popcount(both & both << 1));
+      squares += static_cast<std::uint64_t>(ones(both & both << 1));
     }
   }
   return pixels > 0 && squares * kShare < pixels;

@@ -4,6 +4,8 @@
 #include <bit>
 #include <span>
 
+#include "grid/bit_count.h"
+
 namespace unstep::codec {
 namespace {
 
@@ -63,7 +65,7 @@ entropy::Counter& CentrelineStartModel::look_at_word(std::uint64_t mask,
   const Density* at = &density_[static_cast<std::size_t>(word)];
   const auto octave = [](std::uint64_t pixels) {
     return static_cast<unsigned>(
-        std::bit_width(static_cast<unsigned>(std::popcount(pixels))));
+        std::bit_width(static_cast<unsigned>(ones(pixels))));
   };
   sight_ = {log_level(at[1].quick),
             log_level(at[0].quick + at[2].quick),
@@ -99,7 +101,7 @@ void CentrelineStartModel::set_word_contexts(std::int32_t word) {
 
 void CentrelineStartModel::look_at_pixel(std::int32_t x, std::uint64_t rest) {
   const Density& density = density_[static_cast<std::size_t>(x / 64) + 1];
-  const auto left = static_cast<unsigned>(std::popcount(rest));
+  const auto left = static_cast<unsigned>(ones(rest));
   const PixelPatch patch = pixel_patch::at(planes_, planes_.at(x, y_), 0);
   const std::uint64_t near = pixel_patch::near(patch);
   const std::uint64_t all = pixel_patch::all(patch);

@@ -33,6 +33,11 @@ class DecoderSide {
                                             const CrackMap& /*cracks*/) {
     return 0;
   }
+  [[nodiscard]] static bool any_start(std::int32_t /*y*/, std::int32_t /*word*/,
+                                      std::int32_t /*count*/,
+                                      const CrackMap& /*cracks*/) {
+    return false;
+  }
   [[nodiscard]] static Turn turn(std::int32_t /*x*/, std::int32_t /*y*/,
                                  Quarter /*direction*/, bool /*ink*/) {
     return kStraight;

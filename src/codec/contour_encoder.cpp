@@ -27,6 +27,14 @@ class EncoderSide {
     return open & ~(open >> 1 | before << 63);
   }
 
+  [[nodiscard]] bool any_start(std::int32_t y, std::int32_t word,
+                               std::int32_t count,
+                               const CrackMap& cracks) const {
+    std::uint64_t any = 0;
+    for (std::int32_t i = 0; i < count; ++i) any |= starts(y, word + i, cracks);
+    return any != 0;
+  }
+
   [[nodiscard]] Turn turn(std::int32_t x, std::int32_t y, Quarter direction,
                           bool ink) const {
     const auto at = [this](std::int32_t px, std::int32_t py) {

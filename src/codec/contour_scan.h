@@ -18,6 +18,7 @@ namespace unstep::codec {
 ///
 ///     coder()                    an arithmetic encoder or decoder
 ///     starts(y, word)            the true contour starts, as far as known
+///     any_start(y, word, count)  whether one of so many words has one
 ///     turn(x, y, direction, ink) the true turn of the walk
 ///     row(y, pixels)             a row of pixels is complete
 ///     damaged()                  the payload cannot be right; give up
@@ -38,8 +39,14 @@ class ContourScan {
     for (std::int32_t y = 0; y < cracks_.height(); ++y) {
       starts_.begin_row(y);
       const auto words = static_cast<std::int32_t>(above_.size());
-      for (std::int32_t word = 0; word < words; ++word) {
-        if (!scan_word(y, word)) {
+      for (std::int32_t word = 0; word < words;) {
+        const std::int32_t skipped = starts_.code_quiet_span(
+            side_.coder(), word, above_, [&](std::int32_t count) {
+              return side_.any_start(y, word, count, cracks_);
+            });
+        if (skipped > 0) {
+          word += skipped;
+        } else if (!scan_word(y, word++)) {
           return Error{
               ErrorCode::corrupt,
               "contour payload is damaged at row " + std::to_string(y)};

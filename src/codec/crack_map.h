@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "trace/contour_turn.h"
@@ -112,6 +113,43 @@ class CrackMap {
         static_cast<std::size_t>((at(0, y) + plane_) / 8 + Address{word} * 8));
   }
 
+  /// For each of the words from `word` on: the cracks at its points in rows y
+  /// - 1 to y + 1, upright ones from y - 2 on, in one word that ordered() puts
+  /// in order. As many as `out` has, which must end at the right margin or
+  /// before.
+  void known_around(std::int32_t y, std::int32_t word,
+                    std::span<std::uint64_t> out) const {
+    const Address from = at(0, y) / 8 + Address{word} * 8;
+    const Address row = stride_ / 8;
+    const auto plane = [&](Address offset) {
+      return bytes_.data() + static_cast<std::size_t>(from + offset);
+    };
+    const std::array<const std::uint8_t*, 7> rows{
+        plane(-row),
+        plane(0),
+        plane(row),
+        plane(plane_ / 8 - 2 * row),
+        plane(plane_ / 8 - row),
+        plane(plane_ / 8),
+        plane(plane_ / 8 + row)};
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      std::uint64_t any = 0;
+      for (const std::uint8_t* bytes : rows) {
+        std::uint64_t cracks = 0;
+        std::memcpy(&cracks, bytes + 8 * i, 8);
+        any |= cracks;
+      }
+      out[i] = any;
+    }
+  }
+  /// A word as it lies in memory: the first point in the highest bit.
+  [[nodiscard]] static std::uint64_t ordered(std::uint64_t word) {
+    if constexpr (std::endian::native == std::endian::little) {
+      word = __builtin_bswap64(word);
+    }
+    return word;
+  }
+
   /// At least kWindow bits from `bit` on, the first in the highest place; below
   /// them is nothing to rely on.
   static constexpr int kWindow = 57;
@@ -129,10 +167,7 @@ class CrackMap {
   [[nodiscard]] std::uint64_t load(std::size_t byte) const {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes_.data() + byte, 8);
-    if constexpr (std::endian::native == std::endian::little) {
-      word = __builtin_bswap64(word);
-    }
-    return word;
+    return ordered(word);
   }
   // A word of margin on the left; on the right the points up to x = width and
   // at least one more word, so that window() stays inside the planes.

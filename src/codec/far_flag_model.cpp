@@ -104,4 +104,10 @@ void FarFlagModel::update(bool any) {
   *slow_ += kOne;
 }
 
+void FarFlagModel::count(std::size_t word, bool ink) {
+  Density& density = density_[ink ? 1 : 0];
+  density.quick[word + 1] += kOne;
+  density.slow[word + 1] += kOne;
+}
+
 }  // namespace unstep::codec

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -9,6 +11,12 @@
 #include "entropy/mixer.h"
 
 namespace unstep::codec {
+
+/// 0..7: how many rows ago the last far start was, an octave apart.
+[[nodiscard]] inline std::size_t far_start_age(std::int32_t rows) {
+  return static_cast<std::size_t>(
+      std::min<unsigned>(std::bit_width(static_cast<unsigned>(rows) / 2), 7));
+}
 
 /// Predicts whether one of a word's far points is a start of a contour: mixes
 /// the counter that the start model knows it by with three that see how often
@@ -34,6 +42,8 @@ class FarFlagModel {
   /// must live until update().
   int predict(entropy::Counter& known, std::size_t word, const Sight& sight);
   void update(bool any);
+  /// A start that no flag of this model has told.
+  void count(std::size_t word, bool ink);
 
  private:
   static constexpr std::size_t kContexts = 3;

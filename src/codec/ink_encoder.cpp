@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "codec/shape_coder.h"
 #include "codec/stored_coder.h"
 #include "codec/warm_start.h"
+#include "grid/bit_count.h"
 
 namespace unstep::codec {
 namespace {
@@ -73,7 +73,7 @@ Rows sample_of(const Bitmap& ink, std::int32_t first_row, std::int32_t rows) {
     until[y + 1] = until[y];
     for (const std::uint64_t word :
          ink.row(first_row + static_cast<std::int32_t>(y))) {
-      until[y + 1] += static_cast<std::uint64_t>(std::popcount(word));
+      until[y + 1] += static_cast<std::uint64_t>(ones(word));
     }
   }
   const std::uint64_t all = until.back();

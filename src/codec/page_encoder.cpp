@@ -1,7 +1,6 @@
 #include "codec/page_encoder.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <span>
 #include <string>
@@ -13,6 +12,7 @@
 #include "codec/parallel.h"
 #include "codec/path_checksum.h"
 #include "codec/proof.h"
+#include "grid/bit_count.h"
 
 namespace unstep::codec {
 namespace {
@@ -44,8 +44,8 @@ std::uint64_t row_work(const Bitmap& ink, std::int32_t y) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     const std::uint64_t above = y > 0 ? ink.row(y - 1)[i] : 0;
     cracks += static_cast<std::uint64_t>(
-        std::popcount(row[i] ^ (row[i] >> 1 | left)) +
-        std::popcount(row[i] ^ above));
+        ones(row[i] ^ (row[i] >> 1 | left)) +
+        ones(row[i] ^ above));
     left = row[i] << 63;
   }
   return row.size() + kWordsAStep * cracks;

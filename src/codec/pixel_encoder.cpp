@@ -1,9 +1,9 @@
-#include <bit>
 
 #include "codec/pixel_coder.h"
 #include "codec/pixel_models.h"
 #include "codec/pixel_scan.h"
 #include "entropy/arithmetic_encoder.h"
+#include "grid/bit_count.h"
 
 namespace unstep::codec {
 namespace {
@@ -39,7 +39,7 @@ Result<std::vector<std::uint8_t>> encode_with(const Bitmap& ink,
 }
 
 std::uint64_t count(std::uint64_t bits) {
-  return static_cast<std::uint64_t>(std::popcount(bits));
+  return static_cast<std::uint64_t>(ones(bits));
 }
 
 }  // namespace

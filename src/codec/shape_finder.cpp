@@ -4,6 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "grid/bit_count.h"
+
 namespace unstep::codec {
 namespace {
 
@@ -141,7 +143,7 @@ Glyph cut_out(const Bitmap& ink, std::int32_t first_row,
     }
     box.row(y)[box.stride() - 1] &= mask;
     for (std::size_t i = 0; i < box.stride(); ++i) {
-      pixels += std::popcount(box.row(y)[i]);
+      pixels += ones(box.row(y)[i]);
     }
   }
   if (pixels == component.pixels) return box;  // nothing else in the box

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "codec/bit_count.h"
+#include "grid/bit_count.h"
 #include "codec/shape_finder.h"
 #include "codec/shape_library.h"
 

@@ -20,6 +20,8 @@ std::uint64_t spread(std::uint64_t left, std::uint64_t bits,
 StartModel::StartModel(const CrackMap& cracks, const warm::Table& start)
     : cracks_(cracks),
       far_((static_cast<std::size_t>(cracks.width()) + 63) / 64),
+      spans_((static_cast<std::size_t>(cracks.width()) + 63) / 64),
+      known_((static_cast<std::size_t>(cracks.width()) + 63) / 64 + 2),
       near_(near_first(kContexts)),
       mixer_({64}, start.start_weights) {
   static_assert(kContexts == warm::kStartContexts);
@@ -43,22 +45,10 @@ StartModel::StartModel(const CrackMap& cracks, const warm::Table& start)
 StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
                                               std::uint64_t above,
                                               std::uint64_t used) {
-  const auto known = [&](std::int32_t w) {
-    return cracks_.horizontal_word(y - 1, w) | cracks_.horizontal_word(y, w) |
-           cracks_.horizontal_word(y + 1, w) | cracks_.vertical_word(y - 2, w) |
-           cracks_.vertical_word(y - 1, w) | cracks_.vertical_word(y, w) |
-           cracks_.vertical_word(y + 1, w);
-  };
-  // Along a row only the next word is new, unless a walk has marked cracks.
-  if (!seen_ || seen_word_ != word) {
-    left_ = seen_ && seen_word_ == word - 1 ? here_ : known(word - 1);
-    here_ = seen_ && seen_word_ == word - 1 ? right_ : known(word);
-    right_ = known(word + 1);
-    seen_ = true;
-    seen_word_ = word;
-  }
+  if (stale_) see(word);
+  const std::uint64_t* known = &known_[static_cast<std::size_t>(word)];
   // Nothing known around: most words of most pages.
-  if ((left_ | here_ | right_) == 0)
+  if ((known[0] | known[1] | known[2]) == 0)
     return {0, 0, {used & ~above, used & above}};
   const std::uint64_t east = cracks_.horizontal_word(y, word);
   const std::uint64_t west = east >> 1 | cracks_.horizontal_word(y, word - 1)
@@ -68,7 +58,9 @@ StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
   // A start goes east and comes back from the south, so both are unknown; the
   // other two are absent, or both known (a saddle point).
   const std::uint64_t possible = used & ~east & ~south & ~(north ^ west);
-  const std::uint64_t near = spread(left_, here_, right_);
+  const std::uint64_t near =
+      spread(CrackMap::ordered(known[0]), CrackMap::ordered(known[1]),
+             CrackMap::ordered(known[2]));
   const std::uint64_t roof = cracks_.horizontal_word(y - 1, word);
   const std::uint64_t beside_left =
       north >> 1 | cracks_.vertical_word(y - 1, word - 1) << 63;
@@ -84,7 +76,9 @@ StartModel::Candidates StartModel::candidates(std::int32_t y, std::int32_t word,
 void StartModel::begin_row(std::int32_t y) {
   y_ = y;
   far_.begin_row(y);
-  seen_ = false;
+  spans_.begin_row(y);
+  span_end_ = 0;
+  see(0);
   row_last_.fill(-128);
   for (std::size_t i = 0; i < 2; ++i) {
     recent_[i] =
@@ -94,9 +88,32 @@ void StartModel::begin_row(std::int32_t y) {
   row_near_ = 0;
 }
 
+void StartModel::see(std::int32_t word) {
+  cracks_.known_around(
+      y_, word - 1,
+      std::span(known_).subspan(static_cast<std::size_t>(word)));
+  stale_ = false;
+}
+
+bool StartModel::is_quiet_span(std::int32_t word,
+                               const std::vector<std::uint64_t>& above) {
+  constexpr auto kWords = static_cast<std::size_t>(QuietSpanModel::kWords);
+  const auto first = static_cast<std::size_t>(word);
+  if (first % kWords != 0 || above.size() < QuietSpanModel::kNarrow ||
+      cracks_.width() < (word + QuietSpanModel::kWords) * 64) {
+    return false;
+  }
+  if (stale_) see(word);
+  std::uint64_t seen = 0;
+  for (std::size_t i = 0; i < kWords + 2; ++i) seen |= known_[first + i];
+  const std::uint64_t colour = above[first];
+  for (std::size_t i = 1; i < kWords; ++i) seen |= above[first + i] ^ colour;
+  return seen == 0 && colour + 1 < 2;
+}
+
 int StartModel::predict_open(std::uint64_t mask, std::int32_t word, bool ink) {
   const std::size_t i = ink ? 1 : 0;
-  const int count = std::popcount(mask);
+  const int count = ones(mask);
   const unsigned r = recent_[i];
   const std::size_t recent = r > 64 ? 3 : r > 16 ? 2 : r > 3 ? 1 : 0;
   const Column* here = &columns_[i][static_cast<std::size_t>(word) + 1];
@@ -115,17 +132,12 @@ int StartModel::predict_open(std::uint64_t mask, std::int32_t word, bool ink) {
   return far_.predict(flags_[context], static_cast<std::size_t>(word), sight);
 }
 
-std::size_t StartModel::age_level(const Column& column) const {
-  const auto age = static_cast<unsigned>(y_ - column.y);
-  return std::min<std::size_t>(std::bit_width(age / 2), 7);
-}
-
 std::size_t StartModel::group_context(std::uint64_t mask, std::uint64_t above,
                                       std::int32_t x, std::int32_t y) const {
   const std::size_t size = std::min<std::size_t>(
-      std::bit_width(std::uint64_t(std::popcount(mask & ~above))), 7);
+      std::bit_width(static_cast<unsigned>(ones(mask & ~above))), 7);
   const std::size_t inner = std::min<std::size_t>(
-      std::bit_width(std::uint64_t(std::popcount(mask & above))), 4);
+      std::bit_width(static_cast<unsigned>(ones(mask & above))), 4);
   const std::uint64_t roof = cracks_.horizontal_word(y - 1, x / 64);
   return kOpenFlags + ((size * 5 + inner) * 3 + std::min(row_near_, 2U)) * 2 +
          ((mask & roof) != 0 ? 1U : 0U);

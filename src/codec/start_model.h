@@ -9,9 +9,11 @@
 
 #include "codec/crack_map.h"
 #include "codec/far_flag_model.h"
+#include "codec/quiet_span_model.h"
 #include "codec/warm_start.h"
 #include "entropy/counter.h"
 #include "entropy/mixer.h"
+#include "grid/bit_count.h"
 
 namespace unstep::codec {
 
@@ -33,7 +35,24 @@ class StartModel {
   [[nodiscard]] Candidates candidates(std::int32_t y, std::int32_t word,
                                       std::uint64_t above, std::uint64_t used);
   /// Cracks have been marked since the last candidates().
-  void walked() { seen_ = false; }
+  void walked() { stale_ = true; }
+
+  /// How many words from `word` on have no start: a whole quiet span, if its
+  /// flag says so, or 0. `above`: the pixels of the row before; `any_start(n)`:
+  /// whether one of the next n words has a start (encoder only).
+  template <class Coder, class AnyStart>
+  std::int32_t code_quiet_span(Coder& coder, std::int32_t word,
+                               const std::vector<std::uint64_t>& above,
+                               const AnyStart& any_start) {
+    if (!is_quiet_span(word, above)) return 0;
+    const bool ink = above[static_cast<std::size_t>(word)] != 0;
+    if (!spans_.code(coder, word, ink, any_start(QuietSpanModel::kWords))) {
+      return QuietSpanModel::kWords;
+    }
+    span_end_ = word + QuietSpanModel::kWords;
+    span_found_ = false;
+    return 0;
+  }
 
   void begin_row(std::int32_t y);
 
@@ -43,10 +62,21 @@ class StartModel {
   std::uint64_t code_open(Coder& coder, std::uint64_t mask, std::int32_t word,
                           bool ink, std::uint64_t starts) {
     Column& column = columns_[ink ? 1 : 0][static_cast<std::size_t>(word) + 1];
-    const bool any =
-        coder.code((starts & mask) != 0, predict_open(mask, word, ink));
-    far_.update(any);
-    if (!any) return 0;
+    const bool truth = (starts & mask) != 0;
+    if (word < span_end_) {
+      entropy::Counter& flag =
+          spans_.word_flag(word, age_level(column), span_found_);
+      const bool any = coder.code(truth, flag.p1_fine());
+      flag.update(any);
+      if (!any) return 0;
+      far_.count(static_cast<std::size_t>(word), ink);
+      span_found_ = true;
+    } else {
+      const bool any = coder.code(truth, predict_open(mask, word, ink));
+      far_.update(any);
+      if (!any) return 0;
+    }
+    spans_.count(word, ink);
     ++row_starts_[ink ? 1 : 0];
     const std::uint64_t bit =
         code_place(coder, mask, starts & mask, word * 64, column, ink);
@@ -143,8 +173,9 @@ class StartModel {
     return code_index(coder, mask, std::bit_floor(starts), anchor,
                       &flags_[kPlaces + ((ink ? 3 : 0) + kind) * 64]);
   }
-  /// 0..7: how many rows ago the last start was, an octave apart.
-  [[nodiscard]] std::size_t age_level(const Column& column) const;
+  [[nodiscard]] std::size_t age_level(const Column& column) const {
+    return far_start_age(y_ - column.y);
+  }
 
   /// One of the set bits of `mask`, by halves of the distance from `anchor`;
   /// `start` holds the right one.
@@ -161,8 +192,8 @@ class StartModel {
       bool second = (mask & first) == 0;
       if (!second && (mask & range & ~first) != 0) {
         entropy::Counter& counter = places[node];
-        const int all = std::popcount(mask & range);
-        const int later = std::popcount(mask & range & ~first);
+        const int all = ones(mask & range);
+        const int later = ones(mask & range & ~first);
         if (counter.n == 0) {
           counter = {static_cast<std::uint16_t>(65536 * later / all), 12};
         }
@@ -175,6 +206,10 @@ class StartModel {
     return std::rotr(mask & range, static_cast<int>(anchor));
   }
 
+  /// Finds what is known around the words from `word` - 1 on.
+  void see(std::int32_t word);
+  [[nodiscard]] bool is_quiet_span(std::int32_t word,
+                                   const std::vector<std::uint64_t>& above);
   int predict_open(std::uint64_t mask, std::int32_t word, bool ink);
   [[nodiscard]] std::size_t group_context(std::uint64_t mask,
                                           std::uint64_t above, std::int32_t x,
@@ -190,10 +225,13 @@ class StartModel {
   std::array<std::vector<Column>, 2> columns_;
   FarFlagModel far_;
   std::int32_t y_ = 0;
-  // The cracks known around a word and its neighbours.
-  std::uint64_t left_ = 0, here_ = 0, right_ = 0;
-  std::int32_t seen_word_ = 0;
-  bool seen_ = false;
+  QuietSpanModel spans_;
+  std::int32_t span_end_ = 0;  ///< of the span that has a start: a word
+  bool span_found_ = false;    ///< and a word before this one has it
+  /// The cracks known within two rows of the points of each word, as
+  /// CrackMap::known_around() gives them, with a word of margin on either side.
+  std::vector<std::uint64_t> known_;
+  bool stale_ = false;
   std::array<std::int32_t, 2> row_last_{};
   unsigned row_near_ = 0;  ///< near starts in this row
   std::vector<entropy::Counter> near_;

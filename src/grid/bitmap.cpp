@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "grid/bit_count.h"
+
 namespace unstep {
 namespace {
 
@@ -89,7 +91,7 @@ std::uint32_t Bitmap::crc32() const {
 std::uint64_t Bitmap::ink() const {
   std::uint64_t count = 0;
   for (const std::uint64_t word : words_) {
-    count += static_cast<std::uint64_t>(std::popcount(word));
+    count += static_cast<std::uint64_t>(ones(word));
   }
   return count;
 }

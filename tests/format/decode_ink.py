@@ -26,12 +26,14 @@ class Cracks:
     def __init__(self):
         self.known = set()
         self.near = set()  # the points that known cracks make near
+        self.words = set()  # (word, row): a known crack is around
 
     def mark(self, x, y, direction):
         x, y, plane = self.leaving(x, y, direction)
         self.known.add((x, y, plane))
         self.near.update((i, j) for i in range(x - 2, x + 3)
                          for j in range(y - 1, y + 2 + plane))
+        self.words.update((x // 64, j) for j in range(y - 1, y + 2 + plane))
 
     @staticmethod
     def leaving(x, y, direction):
@@ -71,14 +73,29 @@ class Scan:
     def run(self, image):
         for y in range(self.rows):
             self.starts.begin_row(y)
-            for first in range(0, self.width, 64):
+            first = 0
+            while first < self.width:
+                if (self.is_quiet_span(y, first) and
+                        not self.starts.quiet_start(self.coder, first // 64,
+                                                    self.above[first])):
+                    first += 256
+                    continue
                 self.word(y, range(first, min(first + 64, self.width)))
+                first += 64
             ink, row = 0, []
             for x in range(self.width):
                 ink ^= self.cracks.V(x, y)
                 row.append(ink)
             image[y] = [a | b for a, b in zip(image[y], row)]
             self.above = row
+
+    def is_quiet_span(self, y, first):
+        word = first // 64
+        return (word % 4 == 0 and first + 256 <= self.width
+                and self.width > 15 * 64
+                and len(set(self.above[first:first + 256])) == 1
+                and not any((w, y) in self.cracks.words
+                            for w in range(word - 1, word + 5)))
 
     def candidates(self, y, points, excluded):
         """Near ones, likely ones, far ones on paper, far ones on ink."""

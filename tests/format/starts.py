@@ -2,6 +2,67 @@
 from entropy import K, STRETCH, Mixer, clamp, top, update
 
 
+def age(rows):
+    return min(7, (rows // 2).bit_length())
+
+
+class FarFlag:
+    """Far starts by words, quiet spans by spans."""
+
+    def __init__(self, count):
+        self.count = count
+        # Quick and slow density of a colour's words, one more on either side.
+        self.density = [[[0] * (count + 2) for _ in "qs"] for _ in "01"]
+        self.levels = [[(0, 0, 0)] * count for _ in "01"]
+        self.groups = [{}, {}, {}]
+        self.mixer = Mixer((64,), [[3100, 332, 332, 332] + [0] * 4])
+        for vector in self.mixer.sets[0]:
+            vector[1] = 60000
+
+    def begin_row(self, y):
+        if y % 4 == 0:
+            for c in (0, 1):
+                self.look(c)
+
+    def look(self, c):
+        quick, slow = self.density[c]
+        quick[:] = [d - (d + 3) // 4 for d in quick]
+        slow[:] = [d - (d + 31) // 32 for d in slow]
+
+        def level(d):
+            return min(7, (d >> 6).bit_length())
+
+        for w in range(1, self.count + 1):
+            near = [d[w - 1] + 2 * d[w] + d[w + 1] for d in (quick, slow)]
+            wide = sum(slow[max(0, w - 5):w + 6])
+            self.levels[c][w - 1] = (level(near[0]), level(near[1] // 2),
+                                     level(wide // 4))
+
+    def add(self, c, word):
+        for d in self.density[c]:
+            d[word + 1] += 4096
+
+    def decode(self, coder, c, word, known, ages, size, row):
+        quick, slow, wide = self.levels[c][word]
+        s = 2 * size + c
+        counters = [known] + [
+            far.setdefault(i * 8 + s, [known[0], 45])
+            for far, i in zip(self.groups, (
+                (8 * ages[0] + ages[1]) * 8 + ages[2],
+                (8 * quick + slow) * 4 + row, (8 * wide + slow) * 8 + ages[1]))]
+        vector = (8 * min(7, counters[1][1].bit_length())
+                  + min(7, counters[2][1].bit_length()))
+        x = [STRETCH[p >> 4] for p, n in counters] + [0] * 4
+        p = clamp(self.mixer.predict(x, [vector]), 2, 65534)
+        bit = coder.decode(p, "far start")
+        self.mixer.learn(bit)
+        for counter in counters:
+            update(counter, bit)
+        if bit:
+            self.add(c, word)
+        return bit
+
+
 class StartModel:
     FAR, GROUP, SAME, PLACE = 0, 1024, 1264, 1280
 
@@ -15,14 +76,11 @@ class StartModel:
             for index, _, p, n in records:
                 group[index >> (16 - b)] = [p[0], n[0]]
         self.mixer = Mixer((64,), table.start)
-        self.words = words
-        # Quick and slow density of a colour's words, one more on either side.
-        self.density = [[[0] * (words + 2) for _ in "qs"] for _ in "01"]
-        self.levels = [[(0, 0, 0)] * words for _ in "01"]
-        self.far = [{}, {}, {}]
-        self.far_mixer = Mixer((64,), [[3100, 332, 332, 332] + [0] * 4])
-        for vector in self.far_mixer.sets[0]:
-            vector[1] = 60000
+        self.far = FarFlag(words)
+        self.spans = FarFlag(words // 4)
+        self.span_rows = {}  # (colour, span): row of the last far start
+        self.span_flags = [[3000, 8] for _ in range(64)]
+        self.span_words = [[32768, 0] for _ in range(64)]
 
     def begin_row(self, y):
         self.y, self.last, self.near_count = y, [-128, -128], 0
@@ -30,57 +88,51 @@ class StartModel:
             self.recent[c] += (16 * min(64, self.count[c])
                                - self.recent[c] // 4)
             self.count[c] = 0
-        if y % 4 == 0:
-            for c in (0, 1):
-                self.look(c)
-
-    def look(self, c):
-        quick, slow = self.density[c]
-        quick[:] = [d - (d + 3) // 4 for d in quick]
-        slow[:] = [d - (d + 31) // 32 for d in slow]
-
-        def level(d):
-            return min(7, (d >> 6).bit_length())
-
-        for w in range(1, self.words + 1):
-            near = [d[w - 1] + 2 * d[w] + d[w + 1] for d in (quick, slow)]
-            wide = sum(slow[max(0, w - 5):w + 6])
-            self.levels[c][w - 1] = (level(near[0]), level(near[1] // 2),
-                                     level(wide // 4))
+        self.far.begin_row(y)
+        self.spans.begin_row(y)
+        self.span, self.span_found = None, 0
 
     def age(self, c, word):
         if (c, word) not in self.columns:
             return 7
-        rows = self.y - self.columns[c, word][0]
-        return min(7, (rows // 2).bit_length())
+        return age(self.y - self.columns[c, word][0])
+
+    def quiet_start(self, coder, word, c):
+        span = word // 4
+        ages = [age(self.y - self.span_rows.get((c, span + i), -10000))
+                for i in (-1, 0, 1)]
+        row = min(3, self.count[c])
+        known = self.span_flags[(8 * row + ages[1]) * 2 + c]
+        bit = self.spans.decode(coder, c, span, known, ages, 3, row)
+        if bit:
+            self.span, self.span_found = span, 0
+        return bit
 
     def far_start(self, coder, mask, c):
         word = mask[0] // 64
+        if self.span == word // 4:
+            flag = self.span_words[
+                (word % 4 * 8 + self.age(c, word)) * 2 + self.span_found]
+            bit = coder.decode(clamp(flag[0], 2, 65534), "far start in span")
+            update(flag, bit)
+            if bit:
+                self.far.add(c, word)
+                self.span_found = 1
+        else:
+            bit = self.word_start(coder, mask, c, word)
+        self.count[c] += bit
+        if bit and word // 4 < self.spans.count:
+            self.span_rows[c, word // 4] = self.y
+        return bit
+
+    def word_start(self, coder, mask, c, word):
         size = sum(len(mask) > s for s in (5, 16, 40))
         r = sum(self.recent[c] > s for s in (3, 16, 64))
         ages = [self.age(c, word + i) for i in (-1, 0, 1)]
         row = min(3, self.count[c])
         known = self.flags[self.FAR + min(ages) + 8 * (
             ((4 * c + size) * 4 + row) * 4 + r)]
-        quick, slow, wide = self.levels[c][word]
-        s = 2 * size + c
-        counters = [known] + [
-            far.setdefault(i * 8 + s, [known[0], 45])
-            for far, i in zip(self.far, (
-                (8 * ages[0] + ages[1]) * 8 + ages[2],
-                (8 * quick + slow) * 4 + row, (8 * wide + slow) * 8 + ages[1]))]
-        vector = (8 * min(7, counters[1][1].bit_length())
-                  + min(7, counters[2][1].bit_length()))
-        x = [STRETCH[p >> 4] for p, n in counters] + [0] * 4
-        p = clamp(self.far_mixer.predict(x, [vector]), 2, 65534)
-        bit = coder.decode(p, "far start")
-        self.far_mixer.learn(bit)
-        for counter in counters:
-            update(counter, bit)
-        self.count[c] += bit
-        for d in self.density[c]:
-            d[word + 1] += 4096 * bit
-        return bit
+        return self.far.decode(coder, c, word, known, ages, size, row)
 
     def far_index(self, coder, mask, c):
         word = mask[0] // 64

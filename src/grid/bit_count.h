@@ -7,7 +7,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace unstep::codec {
+namespace unstep {
 
 /// How many bits of a word are set. Not std::popcount: without an instruction
 /// for it, which not all machines have, that is a call.
@@ -80,4 +80,4 @@ inline std::array<int, 2> sums_of_nibbles(__m128i v) {
 #endif
 }
 
-}  // namespace unstep::codec
+}  // namespace unstep
