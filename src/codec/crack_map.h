@@ -124,14 +124,13 @@ class CrackMap {
     const auto plane = [&](Address offset) {
       return bytes_.data() + static_cast<std::size_t>(from + offset);
     };
-    const std::array<const std::uint8_t*, 7> rows{
-        plane(-row),
-        plane(0),
-        plane(row),
-        plane(plane_ / 8 - 2 * row),
-        plane(plane_ / 8 - row),
-        plane(plane_ / 8),
-        plane(plane_ / 8 + row)};
+    const std::array<const std::uint8_t*, 7> rows{plane(-row),
+                                                  plane(0),
+                                                  plane(row),
+                                                  plane(plane_ / 8 - 2 * row),
+                                                  plane(plane_ / 8 - row),
+                                                  plane(plane_ / 8),
+                                                  plane(plane_ / 8 + row)};
     for (std::size_t i = 0; i < out.size(); ++i) {
       std::uint64_t any = 0;
       for (const std::uint8_t* bytes : rows) {

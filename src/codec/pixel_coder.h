@@ -25,7 +25,7 @@ inline constexpr std::uint8_t kPixelTable = 0;
 [[nodiscard]] std::uint64_t pixel_memory(std::int32_t width,
                                          std::uint8_t revision);
 
-/// How the pixels of some rows lie, by one look at every word.
+/// How the pixels of some rows lie, by one look at every third row.
 struct PixelTexture {
   std::uint64_t pixels = 0;
   std::uint64_t edges = 0;     ///< between neighbours of a row
@@ -34,6 +34,11 @@ struct PixelTexture {
 
   /// Drawn by a program: lines along the axes, symbols that repeat exactly.
   [[nodiscard]] bool is_drawn() const { return straight * 8 > edges * 5; }
+  /// Strokes of letters go straight down: scans of print 31 to 53 %, coasts 14
+  /// to 26 %.
+  [[nodiscard]] bool is_printed() const { return straight * 7 > edges * 2; }
+  /// An edge in twenty pixels: small print, or noise beside it.
+  [[nodiscard]] bool is_crowded() const { return edges * 20 > pixels; }
   /// Halftone, dither or noise: pixels by themselves are a good part of all.
   [[nodiscard]] bool is_dithered() const { return single * 20 > pixels; }
 };

@@ -47,9 +47,9 @@ std::uint64_t count(std::uint64_t bits) {
 PixelTexture pixel_texture(const Bitmap& ink, std::int32_t first_row,
                            std::int32_t rows) {
   PixelTexture texture;
-  texture.pixels = static_cast<std::uint64_t>(ink.width()) *
-                   static_cast<std::uint64_t>(rows);
-  for (std::int32_t y = first_row + 2; y < first_row + rows; ++y) {
+  // Three has no factor in common with the periods of ordered dither.
+  for (std::int32_t y = first_row + 2; y < first_row + rows; y += 3) {
+    texture.pixels += static_cast<std::uint64_t>(ink.width());
     const auto row = ink.row(y);
     const auto above = ink.row(y - 1);
     const auto top = ink.row(y - 2);

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "grid/bit_count.h"
 #include "codec/shape_finder.h"
 #include "codec/shape_library.h"
+#include "grid/bit_count.h"
 
 namespace unstep::codec {
 namespace {
@@ -304,15 +304,13 @@ std::uint64_t outline(const Glyph& glyph) {
 }
 
 /// What decides whether shapes are cheaper told by reference than walked
-/// around: they must repeat, be many and not be mere specks. On the drawings
-/// measured, coder 2 wins where (share that refers)^2 x (steps around a shape)
-/// is above 35, and loses below 31.
+/// around: they must repeat, be many and not be mere specks.
 struct Worth {
   static constexpr std::uint64_t kFewest = 100;
-  static constexpr std::uint64_t kEnough = 32;
   /// Shapes after which a hopeless page is given up.
   static constexpr std::uint64_t kSample = 1024;
 
+  std::uint64_t least = kShapesPay;
   std::uint64_t count = 0;
   std::uint64_t referring = 0;
   std::uint64_t steps = 0;
@@ -327,10 +325,10 @@ struct Worth {
     return referring * referring / count * (steps / count);
   }
   [[nodiscard]] bool enough() const {
-    return referring >= kFewest && measure() >= kEnough * count;
+    return referring >= kFewest && measure() >= least * count;
   }
   [[nodiscard]] bool hopeless() const {
-    return count == kSample && measure() < kEnough * count / 4;
+    return count == kSample && measure() < least * count / 4;
   }
 };
 
@@ -375,8 +373,8 @@ std::vector<PlacedShape> match_shapes(const Bitmap& ink, std::int32_t first_row,
 }
 
 std::vector<PlacedShape> find_shapes(const Bitmap& ink, std::int32_t first_row,
-                                     std::int32_t rows) {
-  Worth worth;
+                                     std::int32_t rows, std::uint64_t least) {
+  Worth worth{least};
   return match(ink, first_row, rows, &worth);
 }
 

@@ -15,8 +15,14 @@ namespace unstep::codec {
 std::vector<PlacedShape> match_shapes(const Bitmap& ink, std::int32_t first_row,
                                       std::int32_t rows);
 
-/// The same; none if they are cheaper as contours.
+/// How much shapes have to repeat: (share that refers)^2 x (steps around a
+/// shape). On the drawings measured, coder 2 wins over contours above 35 and
+/// loses below 31. From kShapesPayWell on it wins by more than a few per cent.
+inline constexpr std::uint64_t kShapesPay = 32;
+inline constexpr std::uint64_t kShapesPayWell = 48;
+
+/// The same; none if they repeat less than `least`.
 std::vector<PlacedShape> find_shapes(const Bitmap& ink, std::int32_t first_row,
-                                     std::int32_t rows);
+                                     std::int32_t rows, std::uint64_t least);
 
 }  // namespace unstep::codec

@@ -90,8 +90,7 @@ void StartModel::begin_row(std::int32_t y) {
 
 void StartModel::see(std::int32_t word) {
   cracks_.known_around(
-      y_, word - 1,
-      std::span(known_).subspan(static_cast<std::size_t>(word)));
+      y_, word - 1, std::span(known_).subspan(static_cast<std::size_t>(word)));
   stale_ = false;
 }
 

@@ -130,9 +130,10 @@ TEST(Shapes, ThatAreTheSameCostLittle) {
 }
 
 TEST(Shapes, AreNotUsedWhereNothingRepeats) {
-  EXPECT_TRUE(find_shapes(random_ink(300, 200, 1), 0, 200).empty());
-  EXPECT_TRUE(find_shapes(*Bitmap::create(50, 50), 0, 50).empty());
-  EXPECT_FALSE(find_shapes(page_of_text(640, 400, 3, 30), 0, 400).empty());
+  EXPECT_TRUE(find_shapes(random_ink(300, 200, 1), 0, 200, kShapesPay).empty());
+  EXPECT_TRUE(find_shapes(*Bitmap::create(50, 50), 0, 50, kShapesPay).empty());
+  EXPECT_FALSE(
+      find_shapes(page_of_text(640, 400, 3, 30), 0, 400, kShapesPay).empty());
 }
 
 TEST(Shapes, OfADamagedPayloadAreRefusedOrOther) {
