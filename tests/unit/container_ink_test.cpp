@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -59,6 +60,44 @@ TEST(ContainerInk, RoundTripsExtremeShapes) {
     SCOPED_TRACE(::testing::Message() << width << " x " << height);
     expect_round_trip({random_ink(width, height, 11)}, {}, kPlain, 1);
     expect_round_trip({random_ink(width, height, 12)}, {}, kRich, 1);
+  }
+}
+
+/// Blots on both colours, few enough that most words see nothing of them.
+Bitmap sparse_ink(std::int32_t width, std::int32_t height, unsigned seed) {
+  Bitmap ink = *Bitmap::create(width, height);
+  std::mt19937 random(seed);
+  const auto below = [&](std::int32_t n) {
+    return static_cast<std::int32_t>(random() % static_cast<unsigned>(n));
+  };
+  for (std::int32_t y = height / 2; y < height; ++y) {
+    for (std::int32_t x = 0; x < width; ++x) ink.set(x, y, true);
+  }
+  for (int blot = 0; blot < 24; ++blot) {
+    const std::int32_t x = below(width - 8);
+    const std::int32_t y = below(height - 8);
+    const bool colour = !ink.get(x, y);
+    const std::int32_t right = x + 1 + below(8);
+    const std::int32_t bottom = y + 1 + below(8);
+    for (std::int32_t v = y; v < bottom; ++v) {
+      for (std::int32_t u = x; u < right; ++u) ink.set(u, v, colour);
+    }
+  }
+  return ink;
+}
+
+/// From 16 words on rows have quiet spans; the last ones may not be whole.
+TEST(ContainerInk, RoundTripsWideDrawingsThatAreMostlyEmpty) {
+  for (const std::int32_t width : {959, 960, 961, 1024, 1087, 1280, 2000}) {
+    for (unsigned seed = 1; seed < 6; ++seed) {
+      SCOPED_TRACE(::testing::Message() << width << " wide, seed " << seed);
+      for (const Effort effort :
+           {Effort::fast, Effort::standard, Effort::max}) {
+        EncodeOptions options;
+        options.effort = effort;
+        expect_round_trip({sparse_ink(width, 90, seed)}, options, kPlain, 1);
+      }
+    }
   }
 }
 

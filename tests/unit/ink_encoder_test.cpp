@@ -4,8 +4,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <vector>
 
+#include "codec/block_coder.h"
+#include "codec/contour_coder.h"
+#include "codec/pixel_coder.h"
 #include "unit/container_testing.h"
 #include "unstep/formats.h"
 
@@ -18,6 +22,47 @@ std::size_t file_size(const Page& page, Effort effort) {
   UstpWriter writer(options);
   EXPECT_TRUE(writer.add_page(page.ink, page.info));
   return writer.finish()->size();
+}
+
+/// Strokes straight down, up to `tall`, none like another, `gap` pixels apart.
+Bitmap upright_strokes(std::int32_t width, std::int32_t height,
+                       std::uint32_t gap, std::int32_t tall) {
+  Bitmap ink = *Bitmap::create(width, height);
+  std::mt19937 random(1);
+  for (std::int32_t y = 0; y + tall < height; y += tall + 4) {
+    for (std::int32_t x = 4; x + 64 < width;) {
+      const auto breadth = static_cast<std::int32_t>(3 + random() % 5);
+      const auto length = tall / 2 + static_cast<std::int32_t>(random() % 30);
+      for (std::int32_t v = y; v < y + length; ++v) {
+        const auto left = static_cast<std::int32_t>(x + random() % 2);
+        for (std::int32_t u = left; u < x + breadth; ++u) ink.set(u, v, true);
+      }
+      x += breadth + static_cast<std::int32_t>(gap + random() % gap);
+    }
+  }
+  return ink;
+}
+
+codec::CoderName coder_of(const Bitmap& ink) {
+  const Result<codec::EncodedBlock> block =
+      codec::encode_ink(ink, 0, ink.height(), Effort::standard, {});
+  EXPECT_TRUE(block);
+  return block->name;
+}
+
+TEST(Efforts, StandardTakesTheQuickWaysForScansThatDoNotRepeat) {
+  const auto of = [](std::uint8_t coder, std::uint8_t revision) {
+    return [=](const codec::CoderName& name) {
+      return name.coder == coder && name.revision == revision;
+    };
+  };
+  const auto light = of(codec::kCoderContours, codec::kContourLight);
+  const auto full = of(codec::kCoderContours, codec::kContourStandard);
+  const auto pixels = of(codec::kCoderPixels, codec::kPixelsDeep);
+  // Letters by the dozen on a large page, a small page, a crowded page.
+  EXPECT_TRUE(light(coder_of(upright_strokes(2000, 1100, 200, 60))));
+  EXPECT_TRUE(full(coder_of(upright_strokes(400, 400, 200, 60))));
+  EXPECT_TRUE(pixels(coder_of(upright_strokes(2000, 1100, 8, 900))));
 }
 
 /// Pages of text, blots, thin lines, dither and single pixels.
