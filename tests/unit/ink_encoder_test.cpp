@@ -62,7 +62,7 @@ TEST(Efforts, StandardTakesTheQuickWaysForScansThatDoNotRepeat) {
   // Letters by the dozen on a large page, a small page, a crowded page.
   EXPECT_TRUE(light(coder_of(upright_strokes(2000, 1100, 200, 60))));
   EXPECT_TRUE(full(coder_of(upright_strokes(400, 400, 200, 60))));
-  EXPECT_TRUE(pixels(coder_of(upright_strokes(2000, 1100, 8, 900))));
+  EXPECT_TRUE(pixels(coder_of(upright_strokes(2000, 1100, 5, 900))));
 }
 
 /// Pages of text, blots, thin lines, dither and single pixels.
