@@ -23,11 +23,11 @@ void prepare_heap() {
     return;
   }
   const auto begin = reinterpret_cast<std::uintptr_t>(::sbrk(0));
-  void* volatile growing = std::malloc(kHuge);
-  std::free(growing);
-  const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
   const std::uintptr_t first = (begin + kHuge - 1) & ~(kHuge - 1);
-  if (end <= first) return;  // the heap of another allocator
+  // Kept and never touched, so that what follows lies in large pages.
+  static void* const before = std::malloc(first - begin + 1);
+  const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
+  if (before == nullptr || end <= first) return;  // another allocator's heap
   ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
 #endif
 }
