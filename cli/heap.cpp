@@ -17,7 +17,8 @@ void prepare_heap() {
   constexpr int kGrowth = 64 << 20;      // addresses, not memory
   constexpr int kOwnMapping = 32 << 20;  // the most that glibc allows
   constexpr std::uintptr_t kHuge = std::uintptr_t{2} << 20;
-  if (::mallopt(M_TOP_PAD, kGrowth) == 0 ||
+  // Threads take from the same heap: they ask seldom, but for much.
+  if (::mallopt(M_ARENA_MAX, 1) == 0 || ::mallopt(M_TOP_PAD, kGrowth) == 0 ||
       ::mallopt(M_TRIM_THRESHOLD, 2 * kGrowth) == 0 ||
       ::mallopt(M_MMAP_THRESHOLD, kOwnMapping) == 0) {
     return;
