@@ -12,6 +12,7 @@
 #include "codec/contour_coder.h"
 #include "codec/metadata_words.h"
 #include "codec/shape_coder.h"
+#include "codec/shape_matcher.h"
 #include "corrupt/file_surgery.h"
 #include "golden/golden_text.h"
 #include "unit/container_testing.h"
@@ -281,7 +282,8 @@ TEST(Golden, EveryBuildMakesTheSamePayloadsOfMax) {
   });
   expect_payload("shapes_text_max", [](const Bitmap& ink) {
     return codec::encode_shapes(ink, 0, ink.height(),
-                                codec::shape_revision(Effort::max), {});
+                                codec::shape_revision(Effort::max),
+                                codec::kShapesPay, {});
   });
 }
 

@@ -34,7 +34,7 @@ Bitmap upright_strokes(std::int32_t width, std::int32_t height,
       const auto breadth = static_cast<std::int32_t>(3 + random() % 5);
       const auto length = tall / 2 + static_cast<std::int32_t>(random() % 30);
       for (std::int32_t v = y; v < y + length; ++v) {
-        const auto left = static_cast<std::int32_t>(x + random() % 2);
+        const std::int32_t left = x + static_cast<std::int32_t>(random() % 2);
         for (std::int32_t u = left; u < x + breadth; ++u) ink.set(u, v, true);
       }
       x += breadth + static_cast<std::int32_t>(gap + random() % gap);
