@@ -43,9 +43,8 @@ std::uint64_t row_work(const Bitmap& ink, std::int32_t y) {
   std::uint64_t left = 0;  // the pixel before the word, in the highest bit
   for (std::size_t i = 0; i < row.size(); ++i) {
     const std::uint64_t above = y > 0 ? ink.row(y - 1)[i] : 0;
-    cracks += static_cast<std::uint64_t>(
-        ones(row[i] ^ (row[i] >> 1 | left)) +
-        ones(row[i] ^ above));
+    cracks += static_cast<std::uint64_t>(ones(row[i] ^ (row[i] >> 1 | left)) +
+                                         ones(row[i] ^ above));
     left = row[i] << 63;
   }
   return row.size() + kWordsAStep * cracks;
