@@ -263,8 +263,7 @@ Result<std::vector<std::uint8_t>> short_form(const PageParts& page,
   const BlockParts& block = page.blocks[0];
   const bool usual = block.encoded.name == usual_coder(page.kind);
   ByteWriter head;
-  if (Status put = put_page_head(page, kVersion, usual, metadata, head);
-      !put) {
+  if (Status put = put_page_head(page, kVersion, usual, metadata, head); !put) {
     return put.error();
   }
   if (!usual) put_coder_name(block.encoded.name, head);

@@ -8,8 +8,8 @@ namespace {
 /// What the weights came to, on the average, over the images that coder 24's
 /// table was learned from; 12 fractional bits.
 constexpr std::array<StartPositionModel::Decisions::Weights, 1> kInitial{
-    {{45,  -280, 312, -429, 330, -9,  101, 49,  483,  24, 280,
-      87,  634,  -251, 301, 105, 273, 370, 165, -40,  -177}}};
+    {{45, -280, 312,  -429, 330, -9,  101, 49,  483, 24,  280,
+      87, 634,  -251, 301,  105, 273, 370, 165, -40, -177}}};
 
 /// What is left and right of the middle of a range.
 struct Halves {

@@ -1,6 +1,7 @@
 #include "reverse/crossing.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
 
@@ -74,6 +75,25 @@ struct Grid {
   }
   [[nodiscard]] std::int64_t end_of_row(std::int64_t row) const {
     return low_y + ((row + 1) << shift);
+  }
+
+  /// What of a box is in the cell: its columns, of 16 that are as many units
+  /// wide as needed, from bit 0 on, its rows from bit 16 on. Two boxes that
+  /// meet in a cell have a common column and a common row there.
+  /// REQUIRES: some of it is.
+  [[nodiscard]] std::uint32_t sixteenths(const Box& box, std::int64_t row,
+                                         std::int64_t column) const {
+    const std::int64_t x = low_x + (column << shift);
+    const std::int64_t y = low_y + (row << shift);
+    return range(box.low_x - x, box.high_x - x) |
+           range(box.low_y - y, box.high_y - y) << 16;
+  }
+  [[nodiscard]] std::uint32_t range(std::int64_t low, std::int64_t high) const {
+    const std::int64_t last = (std::int64_t{1} << shift) - 1;
+    const int narrow = std::max(shift - 4, 0);
+    const std::int64_t first_bit = std::max<std::int64_t>(low, 0) >> narrow;
+    const std::int64_t last_bit = std::min(high, last) >> narrow;
+    return (2U << last_bit) - (1U << first_bit);
   }
 
   static Grid around(std::span<const Line> lines, std::int64_t cell) {
@@ -156,19 +176,37 @@ class CrossingFinder {
   [[nodiscard]] bool meet(LineId first, LineId second) const;
   [[nodiscard]] bool cross_at(LineId p, LineId q, Point at) const;
   void find_lines(std::span<const Box> places);
-  void enter(std::int32_t line, std::size_t cell);
+  void enter(std::int32_t line, std::size_t cell, std::uint32_t sixteenths);
   void search_crowded(std::size_t cell);
   void compare(const Line& p, const Line& q);
 
-  /// A cell's lines, the latest first, as a list of entries.
+  /// A cell's lines are in groups, the first at `group`, all but the latest
+  /// full. Groups of few lines side by side are compared without branches.
   struct Cell {
     std::int32_t latest = -1;
     std::int32_t count = 0;
   };
-  struct Entry {
-    std::int32_t line = 0;
-    std::int32_t before = -1;
+  static constexpr std::size_t kGroup = 8;
+  struct Group {
+    std::array<std::uint32_t, kGroup> sixteenths{};  ///< 0: no line
+    std::array<std::int32_t, kGroup> lines{};
   };
+
+  /// Calls visit for the lines of a cell.
+  template <class Visit>
+  void for_lines(const Cell& cell, const Visit& visit) const {
+    std::int32_t left = cell.count;
+    for (std::int32_t g = cell.latest; g >= 0;
+         g = before_[static_cast<std::size_t>(g)]) {
+      const std::int32_t here = (left - 1) % static_cast<int>(kGroup) + 1;
+      for (std::int32_t i = 0; i < here; ++i) {
+        visit(groups_[static_cast<std::size_t>(g)]
+                  .lines[static_cast<std::size_t>(i)]);
+      }
+      left -= here;
+    }
+  }
+
   /// Of more lines in a cell not all pairs are looked at.
   static constexpr std::int32_t kFew = 16;
 
@@ -176,7 +214,8 @@ class CrossingFinder {
   const std::vector<bool>& closed_;
   std::vector<Line> lines_;
   std::vector<Cell> cells_;
-  std::vector<Entry> entries_;
+  std::vector<Group> groups_;
+  std::vector<std::int32_t> before_;  ///< the group before, by group
   std::vector<std::size_t> crowded_;
   std::vector<CrossingPair> found_;
 };
@@ -222,31 +261,47 @@ void CrossingFinder::compare(const Line& p, const Line& q) {
 }
 
 /// Puts a line into a cell, beside those that are there.
-void CrossingFinder::enter(std::int32_t line, std::size_t cell) {
+void CrossingFinder::enter(std::int32_t line, std::size_t cell,
+                           std::uint32_t sixteenths) {
   Cell& c = cells_[cell];
   if (c.count < kFew) {
-    const Line& p = lines_[static_cast<std::size_t>(line)];
-    for (std::int32_t e = c.latest; e >= 0;) {
-      const Entry& entry = entries_[static_cast<std::size_t>(e)];
-      compare(p, lines_[static_cast<std::size_t>(entry.line)]);
-      e = entry.before;
+    for (std::int32_t g = c.latest; g >= 0;
+         g = before_[static_cast<std::size_t>(g)]) {
+      const Group& group = groups_[static_cast<std::size_t>(g)];
+      std::uint32_t hits = 0;
+      for (std::size_t i = 0; i < kGroup; ++i) {
+        const std::uint32_t common = group.sixteenths[i] & sixteenths;
+        const bool hit = static_cast<int>((common & 0xffffU) != 0) &
+                         static_cast<int>(common > 0xffffU);
+        hits |= std::uint32_t{hit} << i;
+      }
+      for (; hits != 0; hits &= hits - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(hits));
+        compare(lines_[static_cast<std::size_t>(line)],
+                lines_[static_cast<std::size_t>(group.lines[i])]);
+      }
     }
   } else if (c.count == kFew) {
     crowded_.push_back(cell);
   }
+  const std::size_t place = static_cast<std::size_t>(c.count) % kGroup;
+  if (place == 0) {
+    before_.push_back(c.latest);
+    c.latest = static_cast<std::int32_t>(groups_.size());
+    groups_.emplace_back();
+  }
+  Group& latest = groups_[static_cast<std::size_t>(c.latest)];
+  latest.sixteenths[place] = sixteenths;
+  latest.lines[place] = line;
   ++c.count;
-  entries_.push_back({line, c.latest});
-  c.latest = static_cast<std::int32_t>(entries_.size() - 1);
 }
 
 /// All lines of a cell from left to right, each with those that reach as far.
 void CrossingFinder::search_crowded(std::size_t cell) {
   std::vector<const Line*> lines;
-  for (std::int32_t e = cells_[cell].latest; e >= 0;) {
-    const Entry& entry = entries_[static_cast<std::size_t>(e)];
-    lines.push_back(&lines_[static_cast<std::size_t>(entry.line)]);
-    e = entry.before;
-  }
+  for_lines(cells_[cell], [&](std::int32_t line) {
+    lines.push_back(&lines_[static_cast<std::size_t>(line)]);
+  });
   std::sort(lines.begin(), lines.end(), [](const Line* p, const Line* q) {
     return p->box.low_x < q->box.low_x;
   });
@@ -263,7 +318,8 @@ void CrossingFinder::search_crowded(std::size_t cell) {
   }
 }
 
-/// Calls `visit` for the cells of a box if there are at most four; else false.
+/// Calls `visit(row, column)` for the cells of a box if there are at most four;
+/// else false.
 template <class Visit>
 bool enter_small(const Grid& grid, const Box& box, const Visit& visit) {
   const std::int64_t left = grid.column(box.low_x);
@@ -271,16 +327,16 @@ bool enter_small(const Grid& grid, const Box& box, const Visit& visit) {
   const std::int64_t top = grid.row(box.low_y);
   const std::int64_t bottom = grid.row(box.high_y);
   if (right - left > 1 || bottom - top > 1) return false;
-  const std::int64_t first = top * grid.columns + left;
-  visit(static_cast<std::size_t>(first));
-  if (right > left) visit(static_cast<std::size_t>(first + 1));
-  if (bottom == top) return true;
-  visit(static_cast<std::size_t>(first + grid.columns));
-  if (right > left) visit(static_cast<std::size_t>(first + grid.columns + 1));
+  for (std::int64_t row = top; row <= bottom; ++row) {
+    for (std::int64_t column = left; column <= right; ++column) {
+      visit(row, column);
+    }
+  }
   return true;
 }
 
-/// Calls `visit` for every cell that the line may reach, some beside it too.
+/// Calls `visit(row, column)` for every cell that the line may reach, some
+/// beside it too.
 template <class Visit>
 void for_cells(const Grid& grid, const Box& line, const Ends& ends,
                const Visit& visit) {
@@ -290,7 +346,7 @@ void for_cells(const Grid& grid, const Box& line, const Ends& ends,
                              std::int64_t high) {
     const std::int64_t end = grid.column(high);
     for (std::int64_t c = grid.column(low); c <= end; ++c) {
-      visit(static_cast<std::size_t>(row * grid.columns + c));
+      visit(row, c);
     }
   };
   if (first == last || grid.column(line.low_x) == grid.column(line.high_x)) {
@@ -390,11 +446,13 @@ std::vector<CrossingPair> CrossingFinder::run(std::span<const Box> places,
   find_lines(places);
   const Grid grid = Grid::around(lines_, cell_size);
   cells_.resize(static_cast<std::size_t>(grid.columns * grid.rows));
-  entries_.reserve(2 * lines_.size());
+  groups_.reserve(lines_.size());
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const Line& line = lines_[i];
-    const auto visit = [&](std::size_t cell) {
-      enter(static_cast<std::int32_t>(i), cell);
+    const auto visit = [&](std::int64_t row, std::int64_t column) {
+      enter(static_cast<std::int32_t>(i),
+            static_cast<std::size_t>(row * grid.columns + column),
+            grid.sixteenths(line.box, row, column));
     };
     if (!enter_small(grid, line.box, visit))
       for_cells(grid, line.box, {start(line.id), end(line.id)}, visit);
