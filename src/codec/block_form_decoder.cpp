@@ -120,7 +120,7 @@ class BlockFormParser {
     PageEntry page;
     const std::uint64_t start = in.position();
     const std::uint8_t flags = in.u8("the page's flags");
-    if ((flags & (kVersionMask | kBlockFormFlag | kUsualCoderFlag)) != 0) {
+    if ((flags & (kVersionMask | kBlockFormFlag | kUsualFlag)) != 0) {
       in.fail(ErrorCode::corrupt, start, "unknown page flags");
     }
     read_page_head(flags, in, {metadata_budget_}, page);

@@ -20,16 +20,25 @@ std::uint8_t kind_flags(const PageParts& page) {
   return page.canvas.y_axis == YAxis::up ? kChainsUpKind : kChainsKind;
 }
 
-void put_path_head(const PageParts& page, ByteWriter& out) {
-  const bool tolerance = page.fidelity.kind == Fidelity::Kind::tolerance;
-  const Rational& e = page.fidelity.tolerance;
+std::uint8_t path_flags(const PageParts& page) {
   auto flags = static_cast<std::uint8_t>(page.fidelity.kind);
   if (page.kind == PageKind::program) flags |= kProgramFlag;
   if (page.canvas.y_axis == YAxis::up) flags |= kPathsUpFlag;
   if (page.paint == Paint::stroke) flags |= kStrokeFlag;
   if (page.scale != 1) flags |= kScaleFlag;
-  if (tolerance && e.denominator != 1) flags |= kDenominatorFlag;
-  out.u8(flags);
+  if (page.fidelity.kind == Fidelity::Kind::tolerance &&
+      page.fidelity.tolerance.denominator != 1) {
+    flags |= kDenominatorFlag;
+  }
+  return flags;
+}
+
+/// `other_flags`: bit 7.
+void put_path_head(const PageParts& page, std::uint8_t other_flags,
+                   ByteWriter& out) {
+  const bool tolerance = page.fidelity.kind == Fidelity::Kind::tolerance;
+  const Rational& e = page.fidelity.tolerance;
+  out.u8(path_flags(page) | other_flags);
   if (tolerance) out.varint(e.numerator);
   if (tolerance && e.denominator != 1) out.varint(e.denominator);
   if (page.scale != 1) out.varint(static_cast<std::uint64_t>(page.scale));
@@ -100,12 +109,17 @@ Status put_details(std::uint8_t details, const PageInfo& info,
   return write_metadata(of_file, out);
 }
 
-/// Page flags, canvas, details, path head. `other_flags` fill bits 0, 1, 3, 4.
+/// Page flags, canvas, details, path head. `other_flags` fill bits 0, 1 and 4;
+/// `usual`: the coder is, and is not named.
 Status put_page_head(const PageParts& page, std::uint8_t other_flags,
-                     const Metadata& of_file, ByteWriter& out) {
+                     bool usual, const Metadata& of_file, ByteWriter& out) {
+  const bool paths = kind_flags(page) == kPathsKind;
+  const bool no_path_head = usual && path_flags(page) == kUsualPathHead &&
+                            page.fidelity == kUsualFidelity;
   const std::uint8_t details = details_of(page.info, of_file);
   const bool square = page.canvas.width == page.canvas.height;
   std::uint8_t flags = other_flags;
+  if (usual && (!paths || no_path_head)) flags |= kUsualFlag;
   if (square) flags |= kSquareFlag;
   if (details != 0) flags |= kDetailsFlag;
   flags |= kind_flags(page);
@@ -117,7 +131,9 @@ Status put_page_head(const PageParts& page, std::uint8_t other_flags,
       return put;
     }
   }
-  if (kind_flags(page) == kPathsKind) put_path_head(page, out);
+  if (paths && !no_path_head) {
+    put_path_head(page, usual ? kUsualPathCoderFlag : std::uint8_t{0}, out);
+  }
   return {};
 }
 
@@ -133,7 +149,7 @@ void put_block(std::uint8_t type, const ByteWriter& content, ByteWriter& out) {
 
 Status put_page(const PageParts& page, ByteWriter& out) {
   ByteWriter content;
-  if (Status put = put_page_head(page, 0, {}, content); !put) return put;
+  if (Status put = put_page_head(page, 0, false, {}, content); !put) return put;
   content.varint(page.blocks.size());
   content.u32(page.checksum);
   put_block(kPageBlock, content, out);
@@ -247,9 +263,7 @@ Result<std::vector<std::uint8_t>> short_form(const PageParts& page,
   const BlockParts& block = page.blocks[0];
   const bool usual = block.encoded.name == usual_coder(page.kind);
   ByteWriter head;
-  if (Status put = put_page_head(
-          page, usual ? kVersion | kUsualCoderFlag : kVersion, metadata, head);
-      !put) {
+  if (Status put = put_page_head(page, kVersion, usual, metadata, head); !put) {
     return put.error();
   }
   if (!usual) put_coder_name(block.encoded.name, head);

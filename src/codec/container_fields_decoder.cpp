@@ -117,20 +117,24 @@ Rational read_tolerance(ByteReader& in, bool whole) {
   return value;
 }
 
-void read_path_head(ByteReader& in, PageEntry& page) {
+/// True if the coder is the usual one; `may_be_usual`: it may say so.
+bool read_path_head(ByteReader& in, bool may_be_usual, PageEntry& page) {
   const std::uint64_t start = in.position();
   const std::uint8_t flags = in.u8("the head of the paths");
   const unsigned kind = flags & kFidelityMask;
   if (kind > static_cast<unsigned>(Fidelity::Kind::device)) {
     in.fail(ErrorCode::unsupported_version, start, "unknown fidelity");
-    return;
+    return false;
   }
   page.fidelity.kind = static_cast<Fidelity::Kind>(kind);
   const bool tolerance = page.fidelity.kind == Fidelity::Kind::tolerance;
   const bool whole = (flags & kDenominatorFlag) == 0;
   const bool program = (flags & kProgramFlag) != 0;
   if (program) page.kind = PageKind::program;
-  if ((flags & ~(program ? kProgramHeadMask : kPathHeadMask)) != 0 ||
+  const bool usual = (flags & kUsualPathCoderFlag) != 0;
+  const unsigned known = (program ? kProgramHeadMask : kPathHeadMask) |
+                         (may_be_usual ? kUsualPathCoderFlag : 0U);
+  if ((flags & ~known) != 0 ||
       (program &&
        (kind == static_cast<unsigned>(Fidelity::Kind::device) ||
         page.canvas.width != 0 || page.info.resolution != Resolution{})) ||
@@ -140,18 +144,23 @@ void read_path_head(ByteReader& in, PageEntry& page) {
   if ((flags & kPathsUpFlag) != 0) page.canvas.y_axis = YAxis::up;
   if ((flags & kStrokeFlag) != 0) page.paint = Paint::stroke;
   if (tolerance) page.fidelity.tolerance = read_tolerance(in, whole);
-  if ((flags & kScaleFlag) == 0) return;
+  if (flags == (kUsualPathHead | kUsualPathCoderFlag) &&
+      page.fidelity == kUsualFidelity) {
+    in.fail(ErrorCode::corrupt, start, "the usual head of paths is given");
+  }
+  if ((flags & kScaleFlag) == 0) return usual;
   const std::uint64_t scale_start = in.position();
   page.scale =
       static_cast<std::int32_t>(in.varint("the scale", Drawing::kMaxScale));
   if (page.scale < 2) {
     in.fail(ErrorCode::corrupt, scale_start, "scale below 2");
   }
+  return usual;
 }
 
 }  // namespace
 
-void read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
+bool read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
                     PageEntry& page) {
   const unsigned kind = flags & kKindMask;
   page.kind = kind == kInkKind     ? PageKind::ink
@@ -160,7 +169,11 @@ void read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
   if (kind == kChainsUpKind) page.canvas.y_axis = YAxis::up;
   read_canvas(flags, in, page);
   if ((flags & kDetailsFlag) != 0) read_details(in, metadata, page);
-  if (page.kind == PageKind::paths) read_path_head(in, page);
+  const bool usual = (flags & kUsualFlag) != 0;
+  if (page.kind != PageKind::paths) return usual;
+  if (!usual) return read_path_head(in, metadata.of_file != nullptr, page);
+  page.fidelity = kUsualFidelity;
+  return true;
 }
 
 void read_coder_name(ByteReader& in, PageEntry::Block& block) {
@@ -180,10 +193,10 @@ void read_coder_name(ByteReader& in, PageEntry::Block& block) {
   }
 }
 
-void read_short_coder_name(std::uint8_t flags, ByteReader& in, PageKind kind,
+void read_short_coder_name(bool is_usual, ByteReader& in, PageKind kind,
                            PageEntry::Block& block) {
   const CoderName usual = usual_coder(kind);
-  if ((flags & kUsualCoderFlag) != 0) {
+  if (is_usual) {
     block.coder = usual.coder;
     block.revision = usual.revision;
     block.table = usual.table;

@@ -23,7 +23,9 @@ inline constexpr std::uint8_t kBlockFormFlag = 0x10;
 /// Page flags. Bits 6 and 7 together say what the page holds; the y axis of
 /// paths is in their path head.
 inline constexpr std::uint8_t kSquareFlag = 0x04;
-inline constexpr std::uint8_t kUsualCoderFlag = 0x08;  ///< short form
+/// Short form: the usual coder, which is not named; of paths the usual head
+/// too, which is left out.
+inline constexpr std::uint8_t kUsualFlag = 0x08;
 inline constexpr std::uint8_t kDetailsFlag = 0x20;
 inline constexpr std::uint8_t kKindMask = 0xc0;
 inline constexpr std::uint8_t kInkKind = 0x00;
@@ -45,6 +47,12 @@ inline constexpr std::uint8_t kStrokeFlag = 0x08;
 inline constexpr std::uint8_t kScaleFlag = 0x10;
 inline constexpr std::uint8_t kDenominatorFlag = 0x20;
 inline constexpr std::uint8_t kProgramFlag = 0x40;  ///< no paths: a program
+/// Short form: the usual coder without the usual head.
+inline constexpr std::uint8_t kUsualPathCoderFlag = 0x80;
+/// The usual path head: these flags and this fidelity.
+inline constexpr std::uint8_t kUsualPathHead =
+    static_cast<std::uint8_t>(Fidelity::Kind::tolerance);
+inline constexpr Fidelity kUsualFidelity{Fidelity::Kind::tolerance, {1, 1}};
 inline constexpr std::uint8_t kPathHeadMask = 0x3f;
 inline constexpr std::uint8_t kProgramHeadMask =
     kFidelityMask | kDenominatorFlag | kProgramFlag;

@@ -13,7 +13,10 @@ namespace unstep::codec {
 /// remembered: a newer cell replaces an older one at the same place.
 class DensityGrid {
  public:
-  DensityGrid() : cells_(std::size_t{1} << kBits) {}
+  DensityGrid() : DensityGrid(15) {}
+  /// `bits`: log2 of the cells that are remembered.
+  explicit DensityGrid(int bits)
+      : bits_(bits), cells_(std::size_t{1} << bits) {}
 
   void add(Point at) {
     for (const int shift : {3, 5, 8}) {
@@ -48,7 +51,6 @@ class DensityGrid {
     std::uint64_t key = 0;
     std::uint32_t count = 0;
   };
-  static constexpr int kBits = 15;
 
   /// Never 0, so that an unused cell is no cell: |x|, |y| < 2^28.
   static std::uint64_t key(int shift, std::int64_t x, std::int64_t y) {
@@ -56,10 +58,11 @@ class DensityGrid {
            (static_cast<std::uint32_t>(y) & 0x0fffffffU) |
            static_cast<std::uint64_t>(shift) << 60;
   }
-  static std::size_t place(std::uint64_t key) {
-    return static_cast<std::size_t>(mix(key, 0) * kGolden >> (64 - kBits));
+  [[nodiscard]] std::size_t place(std::uint64_t key) const {
+    return static_cast<std::size_t>(mix(key, 0) * kGolden >> (64 - bits_));
   }
 
+  int bits_;
   std::vector<Cell> cells_;
 };
 

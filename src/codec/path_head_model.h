@@ -20,7 +20,10 @@ class PathHeadModel {
     closed_[1] = NumberModel::expected(250);
     new_width_ = NumberModel::expected(6);
     for (auto& sets : elements_) {
-      for (NumberModel& set : sets) set.expect(kElementWidths, kElementDigits);
+      for (std::size_t i = 0; i < sets.size(); ++i) {
+        sets[i].expect(kElementWidths[std::min<std::size_t>(i, 7)],
+                       kElementDigits);
+      }
     }
     for (SignedNumberModel& set : turns_) set.expect(kTurnWidths, {}, 128);
   }
@@ -49,9 +52,18 @@ class PathHeadModel {
   [[nodiscard]] bool outside() const { return outside_; }
 
  private:
-  static constexpr std::array<std::uint8_t, 9> kElementWidths{
-      252, 252, 131, 94, 74, 84, 105, 99, 128};
-  static constexpr std::array<std::uint8_t, 1> kTurnWidths{40};
+  /// By the size class of the path before, the last of that and all above.
+  static constexpr std::array<std::array<std::uint8_t, 9>, 8> kElementWidths{{
+      {252, 252, 236, 185, 143, 120, 104, 63, 128},
+      {252, 252, 125, 92, 76, 90, 106, 103, 132},
+      {252, 252, 32, 82, 118, 135, 96, 57, 128},
+      {252, 252, 86, 80, 82, 94, 116, 144, 128},
+      {252, 252, 141, 76, 58, 94, 66, 62, 199},
+      {252, 252, 145, 102, 43, 90, 157, 106, 128},
+      {252, 252, 108, 147, 89, 30, 37, 128, 128},
+      {252, 252, 62, 113, 101, 79, 128, 57, 128},
+  }};
+  static constexpr std::array<std::uint8_t, 1> kTurnWidths{10};
   static constexpr std::array<std::uint8_t, 11> kElementDigits{
       128, 92, 218, 102, 88, 111, 127, 155, 124, 161, 125};
 

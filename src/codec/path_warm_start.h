@@ -35,7 +35,7 @@ inline constexpr std::array<int, 16> kLevels{
 inline constexpr std::array<std::uint8_t, 4> kCounterAges{3, 7, 14, 28};
 inline constexpr unsigned kAllVectors = 4095;
 /// What a vector of weights has seen that comes from the table.
-inline constexpr std::uint16_t kWeightAge = 384;
+inline constexpr std::uint16_t kWeightAge = 768;
 /// Weights are stored in steps of 1 / 1024 around 0; mixers have 14 bits.
 inline constexpr int kWeightShift = 4;
 inline constexpr int kWeightZero = 2048;

@@ -28,10 +28,11 @@ struct StartFrame {
 };
 
 /// Predicts where paths and chains start: y from the path before, then x by
-/// halving the range, with what is already there on either side as contexts.
+/// halving the range, with the vertices and the starts that are already there
+/// on either side as contexts.
 class StartPositionModel {
  public:
-  static constexpr std::size_t kContexts = 7;
+  static constexpr std::size_t kContexts = 10;
   using Decisions = DecisionModel<kContexts>;
 
   explicit StartPositionModel(int table_bits);
@@ -46,10 +47,11 @@ class StartPositionModel {
   /// What holds for all starts, coded first.
   template <class Coder>
   void code_frame(Coder& coder, const StartFrame& frame) {
-    const bool negative = coder.code(frame.negative, 32768);
+    const bool negative = coder.code(frame.negative, 1024);
     int levels = 0;
     for (int bit = 4; bit >= 0; --bit) {
-      const bool one = coder.code((frame.levels >> bit & 1) != 0, 32768);
+      const bool one = coder.code((frame.levels >> bit & 1) != 0,
+                                  kLevelBits[static_cast<std::size_t>(bit)]);
       levels |= one ? 1 << bit : 0;
     }
     levels_ = levels + (negative ? 1 : 0);
@@ -75,11 +77,13 @@ class StartPositionModel {
       if (right) low = middle;
     }
     before_ = {low, y};
+    starts_.add({static_cast<std::int32_t>(low), static_cast<std::int32_t>(y)});
     return before_;
   }
 
   /// As if nothing had been coded; what was learned is kept.
   void restart() {
+    starts_ = DensityGrid(kStartBits);
     before_ = {};
     down_before_ = 0;
   }
@@ -87,6 +91,11 @@ class StartPositionModel {
   [[nodiscard]] Decisions& decisions() { return decisions_; }
 
  private:
+  static constexpr int kStartBits = 12;
+  /// Of 65536, that a bit of the levels is 1, the lowest first: most drawings
+  /// are 2^8 to 2^12 wide.
+  static constexpr std::array<int, 5> kLevelBits{32768, 32768, 16384, 49152,
+                                                 4096};
   static constexpr std::array<std::array<std::uint8_t, 8>, 4> kDownWidths{{
       {184, 174, 178, 170, 183, 141, 50, 19},
       {195, 177, 149, 140, 97, 79, 81, 57},
@@ -101,6 +110,7 @@ class StartPositionModel {
                                             std::int64_t y, bool same_row);
 
   Decisions decisions_;
+  DensityGrid starts_{kStartBits};
   std::array<SignedNumberModel, 4> down_;
   std::size_t down_before_ = 0;
   Vec before_;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace unstep::reverse {
@@ -11,6 +12,23 @@ namespace {
 Error invalid(std::size_t step, const std::string& why) {
   return {ErrorCode::invalid_argument,
           "step " + std::to_string(step) + " " + why};
+}
+
+/// Whether all codes are of the connectivity; `odd`: the bit they must not
+/// have.
+bool fits(std::span<const Step> steps, int odd) {
+  unsigned all = 0;
+  for (const Step step : steps) all |= step;
+  return (all & (0xf8U | static_cast<unsigned>(odd))) == 0;
+}
+
+/// `x`, `y`: where the chain ends.
+Status returns(const Chain& chain, std::int64_t x, std::int64_t y) {
+  if (chain.closed && (x != chain.origin.x || y != chain.origin.y)) {
+    return Error{ErrorCode::invalid_argument,
+                 "a closed chain that does not end at its origin"};
+  }
+  return {};
 }
 
 }  // namespace
@@ -35,6 +53,13 @@ Status check_chain(const Chain& chain, YAxis axis, std::int32_t scale) {
   const auto most = static_cast<std::int64_t>(chain.steps.size());
   const bool far = inside(x + most) && inside(x - most) && inside(y + most) &&
                    inside(y - most);
+  if (far && fits(chain.steps, odd)) {
+    for (const Step step : chain.steps) {
+      x += deltas[step].x;
+      y += deltas[step].y;
+    }
+    return returns(chain, x, y);
+  }
   for (std::size_t i = 0; i < chain.steps.size(); ++i) {
     const Step step = chain.steps[i];
     if (step > 7 || (step & odd) != 0) {
@@ -43,15 +68,11 @@ Status check_chain(const Chain& chain, YAxis axis, std::int32_t scale) {
     }
     x += deltas[step].x;
     y += deltas[step].y;
-    if (!far && (!inside(x) || !inside(y))) {
+    if (!inside(x) || !inside(y)) {
       return invalid(i, "leaves the range of coordinates");
     }
   }
-  if (chain.closed && (x != chain.origin.x || y != chain.origin.y)) {
-    return Error{ErrorCode::invalid_argument,
-                 "a closed chain that does not end at its origin"};
-  }
-  return {};
+  return returns(chain, x, y);
 }
 
 }  // namespace unstep::reverse

@@ -1,8 +1,11 @@
 #include "reverse/crossing.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <optional>
+
+#include "reverse/crossing_grid.h"
 
 namespace unstep::reverse {
 namespace {
@@ -38,59 +41,12 @@ bool in_sector(Point at, Point from, Point to, Point c) {
   }
 }
 
-/// A line of a path, by its surroundings.
-struct Line {
-  Box box;
-  LineId id;
-};
-
-struct Ends {
-  Point a;
-  Point b;
-};
-
 bool on_line(const Ends& line, Point at) {
   const auto [low_x, high_x] = std::minmax(line.a.x, line.b.x);
   const auto [low_y, high_y] = std::minmax(line.a.y, line.b.y);
   return side(line.a, line.b, at) == 0 && low_x <= at.x && at.x <= high_x &&
          low_y <= at.y && at.y <= high_y;
 }
-
-/// Square cells over all paths, a power of two wide, not many more than there
-/// are lines.
-struct Grid {
-  std::int64_t low_x = 0;
-  std::int64_t low_y = 0;
-  std::int64_t high_x = 0;
-  int shift = 0;
-  std::int64_t columns = 1;
-  std::int64_t rows = 1;
-
-  [[nodiscard]] std::int64_t column(std::int64_t x) const {
-    return (x - low_x) >> shift;
-  }
-  [[nodiscard]] std::int64_t row(std::int64_t y) const {
-    return (y - low_y) >> shift;
-  }
-  [[nodiscard]] std::int64_t end_of_row(std::int64_t row) const {
-    return low_y + ((row + 1) << shift);
-  }
-
-  static Grid around(std::span<const Line> lines, std::int64_t cell) {
-    const int shift =
-        static_cast<int>(std::bit_width(static_cast<std::uint64_t>(cell))) - 1;
-    if (lines.empty()) return {};
-    Box box = lines.front().box;
-    for (const Line& line : lines) box.add(line.box);
-    const auto count = static_cast<std::int64_t>(lines.size());
-    Grid grid{box.low_x, box.low_y, box.high_x, shift, 1, 1};
-    for (;; ++grid.shift) {
-      grid.columns = grid.column(box.high_x) + 1;
-      grid.rows = grid.row(box.high_y) + 1;
-      if (grid.columns <= 4 * count / grid.rows + 1) return grid;
-    }
-  }
-};
 
 class CrossingFinder {
  public:
@@ -156,19 +112,37 @@ class CrossingFinder {
   [[nodiscard]] bool meet(LineId first, LineId second) const;
   [[nodiscard]] bool cross_at(LineId p, LineId q, Point at) const;
   void find_lines(std::span<const Box> places);
-  void enter(std::int32_t line, std::size_t cell);
+  void enter(std::int32_t line, std::size_t cell, std::uint32_t sixteenths);
   void search_crowded(std::size_t cell);
   void compare(const Line& p, const Line& q);
 
-  /// A cell's lines, the latest first, as a list of entries.
+  /// A cell's lines are in groups, the first at `group`, all but the latest
+  /// full. Groups of few lines side by side are compared without branches.
   struct Cell {
     std::int32_t latest = -1;
     std::int32_t count = 0;
   };
-  struct Entry {
-    std::int32_t line = 0;
-    std::int32_t before = -1;
+  static constexpr std::size_t kGroup = 8;
+  struct Group {
+    std::array<std::uint32_t, kGroup> sixteenths{};  ///< 0: no line
+    std::array<std::int32_t, kGroup> lines{};
   };
+
+  /// Calls visit for the lines of a cell.
+  template <class Visit>
+  void for_lines(const Cell& cell, const Visit& visit) const {
+    std::int32_t left = cell.count;
+    for (std::int32_t g = cell.latest; g >= 0;
+         g = before_[static_cast<std::size_t>(g)]) {
+      const std::int32_t here = (left - 1) % static_cast<int>(kGroup) + 1;
+      for (std::int32_t i = 0; i < here; ++i) {
+        visit(groups_[static_cast<std::size_t>(g)]
+                  .lines[static_cast<std::size_t>(i)]);
+      }
+      left -= here;
+    }
+  }
+
   /// Of more lines in a cell not all pairs are looked at.
   static constexpr std::int32_t kFew = 16;
 
@@ -176,7 +150,8 @@ class CrossingFinder {
   const std::vector<bool>& closed_;
   std::vector<Line> lines_;
   std::vector<Cell> cells_;
-  std::vector<Entry> entries_;
+  std::vector<Group> groups_;
+  std::vector<std::int32_t> before_;  ///< the group before, by group
   std::vector<std::size_t> crowded_;
   std::vector<CrossingPair> found_;
 };
@@ -222,31 +197,47 @@ void CrossingFinder::compare(const Line& p, const Line& q) {
 }
 
 /// Puts a line into a cell, beside those that are there.
-void CrossingFinder::enter(std::int32_t line, std::size_t cell) {
+void CrossingFinder::enter(std::int32_t line, std::size_t cell,
+                           std::uint32_t sixteenths) {
   Cell& c = cells_[cell];
   if (c.count < kFew) {
-    const Line& p = lines_[static_cast<std::size_t>(line)];
-    for (std::int32_t e = c.latest; e >= 0;) {
-      const Entry& entry = entries_[static_cast<std::size_t>(e)];
-      compare(p, lines_[static_cast<std::size_t>(entry.line)]);
-      e = entry.before;
+    for (std::int32_t g = c.latest; g >= 0;
+         g = before_[static_cast<std::size_t>(g)]) {
+      const Group& group = groups_[static_cast<std::size_t>(g)];
+      std::uint32_t hits = 0;
+      for (std::size_t i = 0; i < kGroup; ++i) {
+        const std::uint32_t common = group.sixteenths[i] & sixteenths;
+        const bool hit = static_cast<int>((common & 0xffffU) != 0) &
+                         static_cast<int>(common > 0xffffU);
+        hits |= std::uint32_t{hit} << i;
+      }
+      for (; hits != 0; hits &= hits - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(hits));
+        compare(lines_[static_cast<std::size_t>(line)],
+                lines_[static_cast<std::size_t>(group.lines[i])]);
+      }
     }
   } else if (c.count == kFew) {
     crowded_.push_back(cell);
   }
+  const std::size_t place = static_cast<std::size_t>(c.count) % kGroup;
+  if (place == 0) {
+    before_.push_back(c.latest);
+    c.latest = static_cast<std::int32_t>(groups_.size());
+    groups_.emplace_back();
+  }
+  Group& latest = groups_[static_cast<std::size_t>(c.latest)];
+  latest.sixteenths[place] = sixteenths;
+  latest.lines[place] = line;
   ++c.count;
-  entries_.push_back({line, c.latest});
-  c.latest = static_cast<std::int32_t>(entries_.size() - 1);
 }
 
 /// All lines of a cell from left to right, each with those that reach as far.
 void CrossingFinder::search_crowded(std::size_t cell) {
   std::vector<const Line*> lines;
-  for (std::int32_t e = cells_[cell].latest; e >= 0;) {
-    const Entry& entry = entries_[static_cast<std::size_t>(e)];
-    lines.push_back(&lines_[static_cast<std::size_t>(entry.line)]);
-    e = entry.before;
-  }
+  for_lines(cells_[cell], [&](std::int32_t line) {
+    lines.push_back(&lines_[static_cast<std::size_t>(line)]);
+  });
   std::sort(lines.begin(), lines.end(), [](const Line* p, const Line* q) {
     return p->box.low_x < q->box.low_x;
   });
@@ -260,58 +251,6 @@ void CrossingFinder::search_crowded(std::size_t cell) {
     }
     active.resize(kept);
     active.push_back(line);
-  }
-}
-
-/// Calls `visit` for the cells of a box if there are at most four; else false.
-template <class Visit>
-bool enter_small(const Grid& grid, const Box& box, const Visit& visit) {
-  const std::int64_t left = grid.column(box.low_x);
-  const std::int64_t right = grid.column(box.high_x);
-  const std::int64_t top = grid.row(box.low_y);
-  const std::int64_t bottom = grid.row(box.high_y);
-  if (right - left > 1 || bottom - top > 1) return false;
-  const std::int64_t first = top * grid.columns + left;
-  visit(static_cast<std::size_t>(first));
-  if (right > left) visit(static_cast<std::size_t>(first + 1));
-  if (bottom == top) return true;
-  visit(static_cast<std::size_t>(first + grid.columns));
-  if (right > left) visit(static_cast<std::size_t>(first + grid.columns + 1));
-  return true;
-}
-
-/// Calls `visit` for every cell that the line may reach, some beside it too.
-template <class Visit>
-void for_cells(const Grid& grid, const Box& line, const Ends& ends,
-               const Visit& visit) {
-  const std::int64_t first = grid.row(line.low_y);
-  const std::int64_t last = grid.row(line.high_y);
-  const auto visit_row = [&](std::int64_t row, std::int64_t low,
-                             std::int64_t high) {
-    const std::int64_t end = grid.column(high);
-    for (std::int64_t c = grid.column(low); c <= end; ++c) {
-      visit(static_cast<std::size_t>(row * grid.columns + c));
-    }
-  };
-  if (first == last || grid.column(line.low_x) == grid.column(line.high_x)) {
-    for (std::int64_t row = first; row <= last; ++row) {
-      visit_row(row, line.low_x, line.high_x);
-    }
-    return;
-  }
-  const bool down = ends.a.y <= ends.b.y;
-  const Point a = down ? ends.a : ends.b;
-  const Point b = down ? ends.b : ends.a;
-  const std::int64_t dx = std::int64_t{b.x} - a.x;
-  const std::int64_t dy = std::int64_t{b.y} - a.y;
-  std::int64_t from = a.x;
-  for (std::int64_t row = first; row <= last; ++row) {
-    // Where it leaves the row, to within a unit; dx * (y - a.y) < 2^62.
-    std::int64_t to = b.x;
-    if (row < last) to = a.x + dx * (grid.end_of_row(row) - a.y) / dy;
-    visit_row(row, std::max(std::min(from, to) - 1, grid.low_x),
-              std::min(std::max(from, to) + 1, grid.high_x));
-    from = to;
   }
 }
 
@@ -390,11 +329,13 @@ std::vector<CrossingPair> CrossingFinder::run(std::span<const Box> places,
   find_lines(places);
   const Grid grid = Grid::around(lines_, cell_size);
   cells_.resize(static_cast<std::size_t>(grid.columns * grid.rows));
-  entries_.reserve(2 * lines_.size());
+  groups_.reserve(lines_.size());
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const Line& line = lines_[i];
-    const auto visit = [&](std::size_t cell) {
-      enter(static_cast<std::int32_t>(i), cell);
+    const auto visit = [&](std::int64_t row, std::int64_t column) {
+      enter(static_cast<std::int32_t>(i),
+            static_cast<std::size_t>(row * grid.columns + column),
+            grid.sixteenths(line.box, row, column));
     };
     if (!enter_small(grid, line.box, visit))
       for_cells(grid, line.box, {start(line.id), end(line.id)}, visit);

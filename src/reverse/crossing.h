@@ -60,8 +60,8 @@ inline constexpr Box kEverywhere{-kMaxCoord, kMaxCoord, -kMaxCoord, kMaxCoord};
 /// Each line goes into the square cells that it reaches, a power of two wide,
 /// `cell_size` or less at first and twice that until there are at most five
 /// cells to a line, and is compared with the lines that are there. Time O(L)
-/// for L lines that are short or sparse. Memory: 24 bytes per line, 8 per line
-/// and cell that it reaches, 8 per cell, 64 per place.
+/// for L lines that are short or sparse. Memory: 24 bytes per line, 68 per cell
+/// that lines reach and eight of them there, 8 per cell, 64 per place.
 ///
 /// REQUIRES: `places` is not empty. Range: coordinates are within kMaxCoord, so
 /// an orientation, the difference of two products of differences, is below

@@ -32,16 +32,25 @@ void LookMemory::begin(const ChainWalk& chain) {
   for (std::size_t i = 0; i < quarters_.size(); ++i) {
     quarters_[i] = chain.delta(static_cast<Step>(2 * i));
   }
-  // A word from the last step on goes round to the first ones.
   const std::size_t needed = steps.size() + kSteps;
-  words_.resize(needed / kSteps + 2);
+  words_.resize(needed / kSteps + 3);
   std::size_t i = 0;
   for (; i + 8 <= steps.size(); i += 8) {
     words_[i / kSteps] |= pack_eight(&steps[i]) << 2 * (i % kSteps);
   }
-  for (std::size_t from = i; i < needed; ++i, ++from) {
-    if (from == steps.size()) from = 0;
-    words_[i / kSteps] |= std::uint64_t{steps[from]} >> 1 << 2 * (i % kSteps);
+  for (; i < steps.size(); ++i) {
+    words_[i / kSteps] |= std::uint64_t{steps[i]} >> 1 << 2 * (i % kSteps);
+  }
+  // A word from the last step on goes round to the first ones: as many as there
+  // are, again and again.
+  while (i < needed) {
+    const std::size_t count = std::min(i, kSteps);
+    const std::uint64_t first =
+        words_[0] << (64 - 2 * count) >> (64 - 2 * count);
+    const std::size_t bit = 2 * (i % kSteps);
+    words_[i / kSteps] |= first << bit;
+    words_[i / kSteps + 1] |= first >> 1 >> (63 - bit);
+    i += count;
   }
 }
 

@@ -12,6 +12,11 @@ namespace {
 /// proportion to the line found, so that the time stays linear.
 constexpr std::size_t kPatience = 64;
 
+/// Room for the lines of most chains, so that they need not grow.
+std::size_t usual_lines(std::size_t steps) {
+  return std::min<std::size_t>(steps / 4 + 8, 1024);
+}
+
 Point moved(Point at, Point by) { return {at.x + by.x, at.y + by.y}; }
 
 /// The last two points to which one line may go; `before` is the line's start
@@ -270,7 +275,9 @@ void append_lines(const ChainWalk& chain, std::size_t last, Look& look,
 /// after two laps, the ring starts at the end of the first line.
 LineVertices fit_ring(const ChainWalk& chain, Look& look) {
   const std::size_t lap = chain.size();
-  LineVertices vertices{{0, chain.origin()}};
+  LineVertices vertices;
+  vertices.reserve(usual_lines(lap));
+  vertices.push_back({0, chain.origin()});
   std::size_t before = 0;  // the first vertex not passed again
   OnePass lines(look, lap);
   lines.begin(vertices.front(), 4 * lap);
@@ -329,6 +336,7 @@ LineVertices unfolded(const ChainWalk& chain, const LineVertices& ring,
 /// Every corner of a closed chain, the least change there is.
 LineVertices corners(const ChainWalk& chain) {
   LineVertices result;
+  result.reserve(chain.size() + 1);
   Point at = chain.origin();
   for (std::size_t i = 1; i < 2 * chain.size(); ++i) {
     at = moved(at, chain.delta(chain.step(i - 1)));
@@ -349,15 +357,17 @@ void normalise(const ChainWalk& chain, LineVertices& ring) {
 
 LineVertices fit_lines(const ChainWalk& chain, PathTolerance tolerance,
                        const NearDirections* near, LookMemory* memory) {
-  LineVertices vertices{{0, chain.origin()}};
-  if (chain.size() == 0) return vertices;
+  if (chain.size() == 0) return {{0, chain.origin()}};
   if (chain.closed() && chain.size() <= kSpeckSteps) return corners(chain);
   Look look(chain, tolerance, near, memory);
   if (!chain.closed()) {
+    LineVertices vertices;
+    vertices.reserve(usual_lines(chain.size()));
+    vertices.push_back({0, chain.origin()});
     append_lines(chain, chain.size(), look, vertices);
     return vertices;
   }
-  vertices = fit_ring(chain, look);
+  LineVertices vertices = fit_ring(chain, look);
   if (vertices.size() == 3) vertices = unfolded(chain, vertices, look);
   normalise(chain, vertices);
   return vertices;

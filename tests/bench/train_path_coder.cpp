@@ -26,7 +26,7 @@ using codec::VectorModel;
 namespace path_warm = codec::path_warm;
 namespace warm = codec::warm;
 
-constexpr std::size_t kMaxCounters = 150'000;  // 320,000 characters
+constexpr std::size_t kMaxCounters = 190'000;  // 405,000 characters
 constexpr std::size_t kMaxVectors = 1000;      // 78,000 characters
 constexpr double kMaxAge = 30;
 constexpr double kCap = 20;     // observations of one drawing that count

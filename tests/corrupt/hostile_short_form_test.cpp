@@ -104,7 +104,8 @@ TEST(HostileShortForm, ImpossiblePathHeadsAreErrors) {
   expect_bad_head({kind, 8, 3, 24, 0, 0}, ErrorCode::unsupported_version,
                   "unknown fidelity");
   expect_bad_head({kind, 8, 0x40, 24, 0, 0}, corrupt, "unknown flags");
-  expect_bad_head({kind, 8, 0x80, 24, 0, 0}, corrupt, "unknown flags");
+  expect_bad_head({kind, 8, 0x44, 28, 0, 0}, corrupt, "unknown flags");
+  expect_bad_head({kind, 8, 0x81, 1, 0, 0}, corrupt, "usual head");
   expect_bad_head({kind, 8, 0x20, 1, 2, 24, 0, 0}, corrupt, "unknown flags");
   expect_bad_head({kind, 8, 0x21, 1, 0, 24, 0, 0}, corrupt,
                   "denominator 0 or 1");
@@ -189,7 +190,7 @@ TEST(HostileShortForm, HugeDimensionsAreRefusedBeforeAllocation) {
 TEST(HostileShortForm, ManyChainsAndStepsAreRefusedBeforeAllocation) {
   // 2^48 chains; then 2^48 steps; then more than the format can count.
   const std::uint8_t flag =
-      codec::kChainsKind | codec::kSquareFlag | codec::kUsualCoderFlag;
+      codec::kChainsKind | codec::kSquareFlag | codec::kUsualFlag;
   const Bytes big{0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x40};
   Bytes chains{flag, 8};
   chains.insert(chains.end(), big.begin(), big.end());
@@ -204,18 +205,18 @@ TEST(HostileShortForm, ManyChainsAndStepsAreRefusedBeforeAllocation) {
 
 TEST(HostileShortForm, ManyPathsAndElementsAreRefusedBeforeAllocation) {
   const std::uint8_t flag =
-      codec::kPathsKind | codec::kSquareFlag | codec::kUsualCoderFlag;
+      codec::kPathsKind | codec::kSquareFlag | codec::kUsualFlag;
   const Bytes big{0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x40};
-  Bytes paths{flag, 8, 0};
+  Bytes paths{flag, 8};
   paths.insert(paths.end(), big.begin(), big.end());
   paths.push_back(0);
   expect_error(forge(paths, 0, 0, {}), ErrorCode::limit_exceeded, "memory");
-  Bytes elements{flag, 8, 0, 1};
+  Bytes elements{flag, 8, 1};
   elements.insert(elements.end(), big.begin(), big.end());
   expect_error(forge(elements, 0, 0, {}), ErrorCode::limit_exceeded,
                "elements");
   // Few enough, but of more bytes than there may be: 2^19 of 32 bytes.
-  expect_error(forge({flag, 8, 0, 1, 0x80, 0x80, 0x20}, 0, 0, {}),
+  expect_error(forge({flag, 8, 1, 0x80, 0x80, 0x20}, 0, 0, {}),
                ErrorCode::limit_exceeded, "memory");
   elements.back() = 0x41;
   expect_bad_head(elements, ErrorCode::corrupt, "at most");

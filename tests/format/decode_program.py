@@ -242,11 +242,11 @@ def decode(data):
     if flags & 32:
         at = skip_details(data, at)
     fidelity, at = data[at], at + 1
-    if fidelity & 0xDC != 0x40:
+    if flags & 8 or fidelity & 0x5C != 0x40:
         raise Damaged("no program")
     for _ in range((fidelity & 3 == 1) + (fidelity >> 5 & 1)):
         _, at = varint(data, at)
-    if not flags & 8:
+    if not fidelity & 0x80:
         raise Damaged("another coder than 28")
     count, at = varint(data, at)
     size, at = varint(data, at)

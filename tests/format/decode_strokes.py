@@ -42,12 +42,14 @@ def decode(data, start):
     if flags & 0x20:
         at = skip_details(data, at)
     head, at = data[at], at + 1
+    if flags & 8 or head & 128:
+        raise Damaged("another coder than 25")
     if head & 3 == 1:
         _, at = varint(data, at)
     for bit in (32, 16):
         if head & bit:
             _, at = varint(data, at)
-    if flags & 8 or data[at] not in (25, 25 | 128):
+    if data[at] not in (25, 25 | 128):
         raise Damaged("another coder than 25")
     table, at = data[at] >> 7, at + 1
     count, at = varint(data, at)

@@ -103,4 +103,4 @@ def table_1(models):
         if numbers[0] == 4095:
             mixer.sets = [Vectors(list(vector)) for _ in range(3)]
         else:
-            mixer.sets[set_][numbers[0]] = [vector, 384]
+            mixer.sets[set_][numbers[0]] = [vector, 768]

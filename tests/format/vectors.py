@@ -20,8 +20,8 @@ class Elements:
 
     def frame(self, coder):
         self.arcs = coder.decode(RAW, "")
-        for _ in range(6):
-            coder.decode(RAW, "")
+        for p in (1024, 4096, 49152, 16384, RAW, RAW):
+            coder.decode(p, "")
 
     # One path.
 
