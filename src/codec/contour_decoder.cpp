@@ -14,6 +14,8 @@ std::uint64_t contour_memory(std::uint8_t revision, std::int32_t width,
   const std::uint64_t model =
       revision == kContourFast    ? FastTurnModel::memory(bits)
       : revision == kContourLight ? LightTurnModel::memory(bits)
+      : revision == kContourDeep
+          ? DeepTurnModel::memory(bits) + DeepStartModel::memory(width)
                                   : TurnModel::memory(bits);
   return CrackMap::memory(width, rows) + model + (1 << 20);
 }
@@ -77,6 +79,9 @@ Status decode_part(entropy::ArithmeticDecoder& coder, std::int32_t width,
     case kContourLight:
       return decode_with<LightTurnModel>(coder, width, rows, bits, progress,
                                          std::move(sink));
+    case kContourDeep:
+      return decode_with<DeepTurnModel>(coder, width, rows, bits, progress,
+                                        std::move(sink));
     default:
       return decode_with<TurnModel>(coder, width, rows, bits, progress,
                                     std::move(sink));

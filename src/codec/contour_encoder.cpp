@@ -90,6 +90,9 @@ Status code_contours(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
     case kContourLight:
       return encode_with<LightTurnModel>(coder, ink, first_row, rows, bits,
                                          progress);
+    case kContourDeep:
+      return encode_with<DeepTurnModel>(coder, ink, first_row, rows, bits,
+                                        progress);
     default:
       return encode_with<TurnModel>(coder, ink, first_row, rows, bits,
                                     progress);

@@ -6,6 +6,7 @@
 
 #include "codec/block_coder.h"
 #include "codec/crack_map.h"
+#include "codec/deep_turn_model.h"
 #include "codec/fast_turn_model.h"
 #include "codec/start_model.h"
 #include "codec/turn_model.h"
@@ -27,6 +28,8 @@ namespace unstep::codec {
 template <class Side, class Turns>
 class ContourScan {
  public:
+  using Starts = typename Turns::Starts;
+
   ContourScan(Side& side, std::int32_t width, std::int32_t height,
               int table_bits, const warm::Table& start)
       : side_(side),
@@ -62,7 +65,7 @@ class ContourScan {
   }
 
   [[nodiscard]] const Turns& turns() const { return turns_; }
-  [[nodiscard]] const StartModel& starts() const { return starts_; }
+  [[nodiscard]] const Starts& starts() const { return starts_; }
 
  private:
   bool scan_word(std::int32_t y, std::int32_t word) {
@@ -187,7 +190,7 @@ class ContourScan {
   Side& side_;
   CrackMap cracks_;
   Turns turns_;
-  StartModel starts_;
+  Starts starts_;
   std::vector<std::uint64_t> above_;  ///< pixels of the row before
 };
 

@@ -8,17 +8,13 @@
 #include "codec/context.h"
 #include "codec/crack_map.h"
 #include "codec/patch.h"
+#include "codec/start_model.h"
+#include "codec/turn_walk.h"
 #include "codec/warm_start.h"
 #include "entropy/counter.h"
 #include "entropy/slots.h"
 
 namespace unstep::codec {
-
-using trace::kLeft;
-using trace::kRight;
-using trace::kStraight;
-using trace::Turn;
-using trace::turned;
 
 namespace detail {
 
@@ -43,6 +39,8 @@ inline constexpr auto kFastWeights = make_fast_weights();
 /// fast effort; the same interface as MixedTurnModel.
 class FastTurnModel {
  public:
+  using Starts = StartModel;
+
   /// log2 of the slots of each context: 2 x 256 kB stay in a cache.
   static constexpr int kBits = 15;
 

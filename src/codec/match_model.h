@@ -8,12 +8,11 @@
 namespace unstep::codec {
 
 /// Finds the last place where the same kMinimum turns occurred and predicts
-/// what followed there. Remembers the last 2^18 turns.
-class MatchModel {
+/// what followed there. Remembers the last 2^18 turns. REQUIRES: at most 32.
+template <unsigned kMinimum>
+class TurnMatch {
  public:
-  static constexpr unsigned kMinimum = 16;
-
-  MatchModel() : turns_(kSize, 3), heads_(std::size_t{1} << 16) {}
+  TurnMatch() : turns_(kSize, 3), heads_(std::size_t{1} << 16) {}
 
   /// 0..7: how long the match is, 0 for none.
   [[nodiscard]] unsigned confidence() const {
@@ -35,13 +34,16 @@ class MatchModel {
     turns_[end_++ % kSize] = static_cast<std::uint8_t>(turn);
     hash_ = hash_ << 2 | turn;
     const std::uint64_t key =
-        (hash_ & 0xffffffffU) * 0x9e3779b97f4a7c15ULL >> 48;
+        (hash_ & kLooked) * 0x9e3779b97f4a7c15ULL >> 48;
     if (length_ == 0) find(heads_[key]);
     heads_[key] = end_;
   }
 
  private:
   static constexpr std::size_t kSize = std::size_t{1} << 18;
+  /// The turns by which a place is found.
+  static constexpr std::uint64_t kLooked =
+      ~std::uint64_t{0} >> (64 - 2 * kMinimum);
 
   void find(std::uint32_t candidate) {
     if (candidate == 0 || end_ - candidate >= kSize - 64) return;
@@ -63,5 +65,7 @@ class MatchModel {
   std::uint32_t match_ = 0;
   std::uint32_t length_ = 0;
 };
+
+using MatchModel = TurnMatch<16>;
 
 }  // namespace unstep::codec

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 
 #include "codec/context.h"
 
 namespace unstep::codec {
 namespace {
-
-constexpr unsigned kFar = 40;  ///< how far gaps() sees, in points
-constexpr int kSight = 12;     ///< and look()
 
 /// log2 of the contexts of the refiners, without the decision.
 constexpr int kTurnRefinerBits = 12;
@@ -88,7 +84,7 @@ std::uint64_t MixedTurnModel<kViews>::memory(int table_bits) {
 template <TurnViews kViews>
 MixedTurnModel<kViews>::MixedTurnModel(const CrackMap& cracks, int table_bits,
                                        const warm::Table& start)
-    : cracks_(cracks),
+    : Walk(cracks),
       slots_(table_sizes<MixedTurnModel>(table_bits)),
       gates_(std::size_t{1} << kGateBits),
       mixer_(set_sizes<MixedTurnModel>(), first_weights<MixedTurnModel>(start)),
@@ -107,104 +103,6 @@ MixedTurnModel<kViews>::MixedTurnModel(const CrackMap& cracks, int table_bits,
 }
 
 template <TurnViews kViews>
-void MixedTurnModel<kViews>::begin(CrackMap::Address point,
-                                   CrackMap::Address flipped, bool ink) {
-  direction_ = 0;
-  point_ = point + cracks_.step(0);
-  flipped_ = flipped + cracks_.flipped_step(0);
-  ink_ = ink;
-  history_ = 0;
-  runs_ = 0;
-  bends_ = 0;
-  steps_ = 1;
-  here_ = {1, 0, 0};
-  trail_[0] = {0, 0, 0};
-  trail_[1] = here_;
-  dss_.reset();
-  dss_.push(0);
-  curve_.begin();
-  gaps_ = gaps(point, flipped, 0);
-  if constexpr (kAll) curve_.step(0, 1, 0, gaps_);
-}
-
-template <TurnViews kViews>
-void MixedTurnModel<kViews>::advance(Turn turn) {
-  match_.push(turn);
-  history_ = history_ << 2 | turn;
-  if (turn == kStraight) {
-    runs_ += (runs_ & 255) != 255 ? 1U : 0U;
-  } else {
-    runs_ <<= 8;
-    bends_ = bends_ << 2 | turn;
-  }
-  direction_ = turned(direction_, turn);
-  dss_.push(direction_);
-  const auto d = static_cast<std::size_t>(direction_);
-  here_.area += std::int64_t{here_.y} * kQuarterDx[d] -
-                std::int64_t{here_.x} * kQuarterDy[d];
-  here_.x += kQuarterDx[d];
-  here_.y += kQuarterDy[d];
-  gaps_ = gaps(point_, flipped_, direction_);
-  if constexpr (kAll) curve_.step(direction_, here_.x, here_.y, gaps_);
-  point_ += cracks_.step(direction_);
-  flipped_ += cracks_.flipped_step(direction_);
-  ++steps_;
-  trail_[steps_ % trail_.size()] = here_;
-}
-
-/// The nearest cracks parallel to the one that leaves a point.
-template <TurnViews kViews>
-CurveFit::Gaps MixedTurnModel<kViews>::gaps(CrackMap::Address point,
-                                            CrackMap::Address flipped,
-                                            Quarter direction) const {
-  // The crack's bit in the plane where those beside it are its neighbours.
-  const CrackMap::Address bit =
-      (direction & 1) != 0 ? point + cracks_.crack(direction)
-      : direction == 0     ? flipped
-                           : flipped + cracks_.flipped_step(2);
-  const std::uint64_t after = cracks_.window(bit + 1) >> (64 - kFar);
-  const std::uint64_t before =
-      cracks_.window(bit - CrackMap::Address{kFar}) >> (64 - kFar);
-  return {after != 0 ? static_cast<int>(kFar) + 1 -
-                           static_cast<int>(std::bit_width(after))
-                     : 0,
-          before != 0 ? 1 + std::countr_zero(before) : 0};
-}
-
-/// The nearest crack parallel to the one just walked, on one side.
-template <TurnViews kViews>
-typename MixedTurnModel<kViews>::Sight MixedTurnModel<kViews>::look(
-    bool right) const {
-  const bool greater = right == (direction_ == 0 || direction_ == 3);
-  const int distance = gaps_[greater ? 0 : 1];
-  if (distance == 0 || distance > kSight) return {};
-  const Quarter side = (direction_ + (right ? 1 : 3)) & 3;
-  return {static_cast<unsigned>(distance),
-          shape(point_ + CrackMap::Address{distance} * cracks_.step(side))};
-}
-
-/// Where the curve goes, on the axis along which most of the last steps went.
-template <TurnViews kViews>
-CurveFit::Forecast MixedTurnModel<kViews>::forecast() const {
-  const Trail& t = trail(std::min(steps_, 16U));
-  const std::size_t axis =
-      std::abs(here_.x - t.x) >= std::abs(here_.y - t.y) ? 0 : 1;
-  return curve_.forecast(axis, direction_, here_.x, here_.y,
-                         gaps(point_, flipped_, curve_.heading(axis)));
-}
-
-template <TurnViews kViews>
-unsigned MixedTurnModel<kViews>::shape(CrackMap::Address point) const {
-  const CrackMap::Address on = cracks_.crack(direction_);
-  const CrackMap::Address right = cracks_.crack((direction_ + 1) & 3);
-  const CrackMap::Address left = cracks_.crack((direction_ + 3) & 3);
-  const CrackMap::Address next = point + cracks_.step(direction_);
-  return cracks_.test(point + on) << 5 | cracks_.test(point + right) << 4 |
-         cracks_.test(point + left) << 3 | cracks_.test(next + on) << 2 |
-         cracks_.test(next + right) << 1 | cracks_.test(next + left);
-}
-
-template <TurnViews kViews>
 entropy::Counter& MixedTurnModel<kViews>::find_gate() {
   const std::uint64_t recent = history_ & 0xffffff;  // 12 turns
   const std::uint64_t hash = mix(around_ & patch::kNear, recent) * kGolden;
@@ -212,37 +110,10 @@ entropy::Counter& MixedTurnModel<kViews>::find_gate() {
   return *gate_;
 }
 
-/// The last n steps as a chord, in the frame of the current direction: 18 bits.
-template <TurnViews kViews>
-std::uint64_t MixedTurnModel<kViews>::chord(std::uint32_t n) const {
-  if (steps_ < n) return 0;
-  const std::int32_t dx = here_.x - trail(n).x;
-  const std::int32_t dy = here_.y - trail(n).y;
-  const auto d = static_cast<std::size_t>(direction_);
-  const std::int32_t c = kQuarterDx[d];
-  const std::int32_t s = kQuarterDy[d];
-  return static_cast<std::uint64_t>((dx * c + dy * s + 128) << 9 |
-                                    (dy * c - dx * s + 128));
-}
-
-/// Doubled area between the last n steps and their chord (patent's F).
-template <TurnViews kViews>
-unsigned MixedTurnModel<kViews>::bulge(std::uint32_t n) const {
-  if (steps_ < n) return 0;
-  const Trail& t = trail(n);
-  const std::int64_t dx = here_.x - t.x;
-  const std::int64_t dy = here_.y - t.y;
-  return quantise_area(here_.area - t.area -
-                       (std::int64_t{t.y} * dx - std::int64_t{t.x} * dy));
-}
-
 template <TurnViews kViews>
 void MixedTurnModel<kViews>::look_around() {
   const std::uint64_t at_point = patch::ways(around_);
   const std::uint64_t base = at_point << 1 | (ink_ ? 1U : 0U);
-  const auto history = [&](unsigned turns) {
-    return history_ & ((std::uint64_t{1} << (2 * turns)) - 1);
-  };
   const Sight right = look(true);
   const Sight left = look(false);
   const std::uint64_t right_sight = right.distance << 6 | right.shape;
@@ -282,7 +153,7 @@ void MixedTurnModel<kViews>::look_around() {
     ask(5, (left_sight << 18 | chord(16)) << 6 | history(3));
     ask(6, sights);
     ask(7, followed);
-    ask(8, std::uint64_t{runs_} & 0x7f7f7f7f);
+    ask(8, runs_ & 0x7f7f7f7f);
     ask(9, chord32);
     ask(10, chord64);
     ask(11, segment);

@@ -6,11 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "codec/crack_map.h"
-#include "codec/curve_fit.h"
-#include "codec/dss_state.h"
 #include "codec/match_model.h"
-#include "codec/patch.h"
+#include "codec/start_model.h"
+#include "codec/turn_walk.h"
 #include "codec/warm_start.h"
 #include "entropy/counter.h"
 #include "entropy/mixer.h"
@@ -19,12 +17,6 @@
 
 namespace unstep::codec {
 
-using trace::kLeft;
-using trace::kRight;
-using trace::kStraight;
-using trace::Turn;
-using trace::turned;
-
 /// How much a model of turns looks at: everything, or what says most in half
 /// the time.
 enum class TurnViews : std::uint8_t { all, few };
@@ -32,8 +24,10 @@ enum class TurnViews : std::uint8_t { all, few };
 /// Predicts the turns of contours walked one by one. Encoder and decoder run
 /// the same object in step; everything is integer.
 template <TurnViews kViews>
-class MixedTurnModel {
+class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
  public:
+  using Walk = TurnWalk<kViews == TurnViews::all>;
+  using Starts = StartModel;  ///< what goes with it
   static constexpr bool kAll = kViews == TurnViews::all;
   static constexpr std::size_t kContexts = kAll ? 15 : 7;
   using Slots = entropy::ContextSlots<kContexts>;
@@ -61,19 +55,6 @@ class MixedTurnModel {
 
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(int table_bits);
-
-  /// A contour starts at a point (its address in the planes and in the flipped
-  /// plane) and goes east. `ink`: ink is on the right.
-  void begin(CrackMap::Address point, CrackMap::Address flipped, bool ink);
-
-  /// The walk has taken a step (the crack is marked) and stands at the next
-  /// point: looks at the cracks around it. Returns the turns that lead along
-  /// unknown cracks, bit t for turn t.
-  unsigned arrive() {
-    around_ = patch::at(cracks_, point_, direction_);
-    const unsigned ways = patch::ways(around_);
-    return ~ways & 7U;
-  }
 
   /// Codes the turn made there. `allowed`: those that are possible, at least
   /// two.
@@ -108,24 +89,32 @@ class MixedTurnModel {
 
   /// Advances: the turn taken at the point, coded or forced, and the step
   /// after it.
-  void advance(Turn turn);
+  void advance(Turn turn) {
+    match_.push(turn);
+    this->move_on(turn);
+  }
 
   /// What was learned, for training a warm start.
   [[nodiscard]] const Slots& slots() const { return slots_; }
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
+  using Walk::around_;
+  using Walk::bends_;
+  using Walk::bulge;
+  using Walk::chord;
+  using Walk::direction_;
+  using Walk::dss_;
+  using Walk::forecast;
+  using Walk::history;
+  using Walk::history_;
+  using Walk::ink_;
+  using Walk::look;
+  using Walk::runs_;
+  using typename Walk::Sight;
+
   /// The two binary decisions that make a turn.
   enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
-
-  struct Sight {  ///< the nearest parallel crack on one side
-    unsigned distance = 0;
-    unsigned shape = 0;
-  };
-  struct Trail {
-    std::int32_t x, y;
-    std::int64_t area;
-  };
 
   entropy::Counter& find_gate();
   void look_around();
@@ -134,43 +123,13 @@ class MixedTurnModel {
     slots_.note(node, bit);
     for (entropy::Refiner& refiner : refiners_) refiner.learn(bit);
   }
-  [[nodiscard]] CurveFit::Gaps gaps(CrackMap::Address point,
-                                    CrackMap::Address flipped,
-                                    Quarter direction) const;
-  [[nodiscard]] Sight look(bool right) const;
-  [[nodiscard]] CurveFit::Forecast forecast() const;
-  [[nodiscard]] unsigned shape(CrackMap::Address point) const;
-  [[nodiscard]] std::uint64_t chord(std::uint32_t n) const;
-  [[nodiscard]] unsigned bulge(std::uint32_t n) const;
-  [[nodiscard]] const Trail& trail(std::uint32_t n) const {
-    return trail_[(steps_ - n) % trail_.size()];
-  }
-
-  const CrackMap& cracks_;
   Slots slots_;
   std::vector<entropy::Counter> gates_;
   entropy::Counter* gate_ = nullptr;
-  std::uint64_t around_ = 0;
   entropy::Mixer<kInputs, kSets, 2, kSpared> mixer_;
   /// By the nearest cracks, by the last turns.
   std::array<entropy::Refiner, kRefiners> refiners_;
 
-  // Where the walk is.
-  CrackMap::Address point_ = 0;
-  CrackMap::Address flipped_ = 0;
-  Quarter direction_ = 0;
-  bool ink_ = false;
-
-  // What it did.
-  std::uint64_t history_ = 0;  ///< two bits a turn, latest lowest
-  std::uint32_t runs_ = 0;     ///< steps since the last four turns, 8 bits each
-  unsigned bends_ = 0;         ///< the last bends, two bits each
-  std::uint32_t steps_ = 0;
-  std::array<Trail, 128> trail_{};  ///< the last positions, by steps_ % 128
-  Trail here_{};
-  DssState dss_;
-  CurveFit curve_;
-  CurveFit::Gaps gaps_{};  ///< of the crack just walked
   MatchModel match_;
 
   std::array<std::size_t, kSets> next_selectors_{};

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "codec/deep_model.h"
+#include "codec/deep_start_model.h"
+#include "codec/match_model.h"
+#include "codec/turn_walk.h"
+#include "codec/warm_start.h"
+#include "entropy/counter.h"
+
+namespace unstep::codec {
+
+/// Predicts the turns of contours for the max effort: the contexts of
+/// MixedTurnModel and eleven more, in a DeepModel.
+class DeepTurnModel : public TurnWalk<true> {
+ public:
+  using Starts = DeepStartModel;
+  static constexpr std::size_t kContexts = 26;
+  static constexpr std::size_t kSets = 8;
+  static constexpr std::size_t kRefiners = 4;
+
+  /// As of MixedTurnModel.
+  static constexpr int kGateBits = 16;
+  static constexpr int kGateAge = 24;
+  static constexpr int kGateRare = 512;
+
+  /// `cracks` must outlive the model; 2^table_bits slots per context.
+  /// REQUIRES: 8 <= table_bits <= 20.
+  DeepTurnModel(const CrackMap& cracks, int table_bits,
+                const warm::Table& start);
+
+  /// Bytes that the constructor allocates, rounded up.
+  static std::uint64_t memory(int table_bits);
+
+  /// Codes the turn made at the point. `allowed`: those that are possible, at
+  /// least two.
+  template <class Coder>
+  Turn code(Coder& coder, Turn turn, unsigned allowed) {
+    entropy::Counter& gate = gates_[gate_of()];
+    if ((allowed & 1U << kStraight) != 0 && gate.n >= kGateAge &&
+        gate.p < kGateRare) {
+      const bool bends = coder.code(turn != kStraight, gate.p + 4);
+      gate.update(bends);
+      if (!bends) return kStraight;
+      allowed &= ~1U;
+    }
+    look_around();
+    if ((allowed & 1U << kStraight) != 0) {
+      model_.set_extra(0, entropy::stretch(gate.p));
+      const bool bends =
+          model_.code(coder, turn != kStraight, choice_ + kBends, kBends);
+      gate.update(bends);
+      if (!bends) return kStraight;
+    }
+    if ((allowed & 1U << kLeft) == 0) return kRight;
+    if ((allowed & 1U << kRight) == 0) return kLeft;
+    model_.set_extra(0, 0);
+    const bool right =
+        model_.code(coder, turn == kRight, choice_ + kToRight, kToRight);
+    return right ? kRight : kLeft;
+  }
+
+  /// Advances: the turn taken at the point, coded or forced, and the step
+  /// after it.
+  void advance(Turn turn) {
+    match_.push(turn);
+    long_match_.push(turn);
+    move_on(turn);
+  }
+
+ private:
+  /// The two binary decisions that make a turn.
+  enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
+  using Model = DeepModel<kContexts, 1, kSets, kRefiners, 2>;
+  static const Model::Choice kSizes;
+  static std::array<Model::Weights, 2> first_weights(const warm::Table& start);
+
+  [[nodiscard]] std::size_t gate_of() const;
+  void look_around();
+  void choose(const Sight& right, const Sight& left, std::uint64_t curve);
+
+  std::vector<entropy::Counter> gates_;
+  Model model_;
+  Model::Choice choice_;
+  MatchModel match_;
+  TurnMatch<32> long_match_;
+};
+
+}  // namespace unstep::codec
