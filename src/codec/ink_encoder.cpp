@@ -139,10 +139,10 @@ Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
 /// With an empty payload if shapes repeat less than `least`.
 Result<EncodedBlock> encode_with_shapes(const Bitmap& ink,
                                         std::int32_t first_row,
-                                        std::int32_t rows, Effort effort,
+                                        std::int32_t rows,
+                                        std::uint8_t revision,
                                         std::uint64_t least,
                                         const BlockProgress& progress) {
-  const std::uint8_t revision = shape_revision(effort);
   Result<std::vector<std::uint8_t>> shapes =
       encode_shapes(ink, first_row, rows, revision, least, progress);
   if (!shapes) return shapes.error();
@@ -172,9 +172,10 @@ Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
   };
   keep(encode_by_contours(ink, first_row, rows, kContourMax, progress));
   keep(encode_by_contours(ink, first_row, rows, kContourLight, progress));
-  for (const Effort effort : {Effort::standard, Effort::max}) {
-    keep(
-        encode_with_shapes(ink, first_row, rows, effort, kShapesPay, progress));
+  keep(encode_by_contours(ink, first_row, rows, kContourDeep, progress));
+  for (const std::uint8_t revision : {kShapesLight, kShapesDeep}) {
+    keep(encode_with_shapes(ink, first_row, rows, revision, kShapesPay,
+                            progress));
   }
   keep(encode_by_pixels(ink, first_row, rows, kPixelsDeep, progress));
   if (is_thin(ink, first_row, rows)) {
@@ -220,7 +221,7 @@ Result<EncodedBlock> encode_standard(const Bitmap& ink, std::int32_t first_row,
                                      const BlockProgress& progress) {
   const bool scan = texture.is_printed() && !is_small(ink, rows, kSmallestScan);
   Result<EncodedBlock> shapes = encode_with_shapes(
-      ink, first_row, rows, Effort::standard,
+      ink, first_row, rows, kShapesLight,
       scan && texture.is_crowded() ? kShapesPayWell : kShapesPay, progress);
   if (!shapes || !shapes->payload.empty()) return shapes;
   if (is_thin(ink, first_row, rows)) {

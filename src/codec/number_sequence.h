@@ -24,33 +24,37 @@ inline std::uint64_t clip_value(std::int32_t value, std::int32_t limit) {
   return static_cast<std::uint64_t>(std::clamp(value, -limit, limit) + limit);
 }
 
-/// Codes numbers under contexts made of what came before, like a text. A number
-/// has a field, which says what it means; numbers of different fields share
-/// nothing.
-class NumberSequence {
+/// How numbers become binary decisions, of which each has a field, which says
+/// what it means, and a node. `Model` derives from this and has
+///
+///     look(field, contexts)       a number comes, under these contexts
+///     decide(coder, field, node, bit)
+///     note(field, value)          it is known
+template <class Model, class Contexts>
+class NumberCoding {
  public:
-  static constexpr std::size_t kContexts = 6;
-  using Contexts = DecisionModel<kContexts>::Values;
   /// Below 14, so that each field has weights of its own.
   using Field = std::uint8_t;
 
-  explicit NumberSequence(int table_bits)
-      : model_(table_bits, std::array<Weights, 1>{initial()}) {}
-
   template <class Coder>
   bool flag(Coder& coder, Field field, bool value, const Contexts& contexts) {
-    return decide(coder, field, 0, value, contexts);
+    model().look(field, contexts);
+    value = model().decide(coder, field, 0, value);
+    model().note(field, value ? 1 : 0);
+    return value;
   }
 
   /// A number below 2^bits, the highest bit first. REQUIRES: bits <= 8.
   template <class Coder>
   unsigned small(Coder& coder, Field field, unsigned value, int bits,
                  const Contexts& contexts) {
+    model().look(field, contexts);
     unsigned node = 1;
     for (int i = bits - 1; i >= 0; --i) {
       const bool bit = (value >> i & 1) != 0;
-      node = node * 2 + (decide(coder, field, node, bit, contexts) ? 1U : 0U);
+      node = node * 2 + (model().decide(coder, field, node, bit) ? 1U : 0U);
     }
+    model().note(field, node - (1U << bits));
     return node - (1U << bits);
   }
 
@@ -59,36 +63,51 @@ class NumberSequence {
   template <class Coder>
   std::uint32_t number(Coder& coder, Field field, std::uint32_t value,
                        const Contexts& contexts) {
-    return digits(coder, field, kSizes, value, contexts);
+    model().look(field, contexts);
+    value = digits(coder, field, kSizes, value);
+    model().note(field, value);
+    return value;
   }
 
   /// Any number of +-(2^31 - 1).
   template <class Coder>
   std::int64_t signed_number(Coder& coder, Field field, std::int64_t value,
                              const Contexts& contexts) {
-    const auto size = static_cast<std::uint32_t>(std::abs(value));
-    const bool zero = decide(coder, field, kSigns, value == 0, contexts);
-    if (zero) return 0;
-    const bool negative = decide(coder, field, kSigns + 1, value < 0, contexts);
-    const std::uint32_t sizes = negative ? kSizes + 32 : kSizes;
-    const std::int64_t read =
-        std::int64_t{digits(coder, field, sizes, size - 1, contexts)} + 1;
-    return negative ? -read : read;
+    model().look(field, contexts);
+    value = signed_digits(coder, field, value);
+    model().note(field, value);
+    return value;
   }
+
+ protected:
+  static constexpr std::uint32_t kNodes = 72;  ///< that have weights
 
  private:
   static constexpr std::uint32_t kSizes = 0;  ///< nodes, 32 for either sign
   static constexpr std::uint32_t kSigns = 64;
   static constexpr std::uint32_t kDigits = 256;
-  static constexpr std::uint32_t kNodes = 72;  ///< that have weights
+
+  Model& model() { return static_cast<Model&>(*this); }
+
+  template <class Coder>
+  std::int64_t signed_digits(Coder& coder, Field field, std::int64_t value) {
+    const auto size = static_cast<std::uint32_t>(std::abs(value));
+    const bool zero = model().decide(coder, field, kSigns, value == 0);
+    if (zero) return 0;
+    const bool negative = model().decide(coder, field, kSigns + 1, value < 0);
+    const std::uint32_t sizes = negative ? kSizes + 32 : kSizes;
+    const std::int64_t read =
+        std::int64_t{digits(coder, field, sizes, size - 1)} + 1;
+    return negative ? -read : read;
+  }
 
   template <class Coder>
   std::uint32_t digits(Coder& coder, Field field, std::uint32_t sizes,
-                       std::uint32_t value, const Contexts& contexts) {
+                       std::uint32_t value) {
     const auto wanted = static_cast<std::uint32_t>(std::bit_width(value));
     std::uint32_t size = 0;
     while (size < 31 &&
-           decide(coder, field, sizes + size, size < wanted, contexts)) {
+           model().decide(coder, field, sizes + size, size < wanted)) {
       ++size;
     }
     if (size == 0) return 0;
@@ -97,20 +116,36 @@ class NumberSequence {
       const std::uint32_t node =
           kDigits + (sizes << 18) + (size << 12) + std::min(read, 1023U + i);
       const bool bit = (value >> i & 1) != 0;
-      read = read * 2 + (decide(coder, field, node, bit, contexts) ? 1U : 0U);
+      read = read * 2 + (model().decide(coder, field, node, bit) ? 1U : 0U);
     }
     return read;
   }
+};
+
+/// Codes numbers under contexts made of what came before, like a text. Numbers
+/// of different fields share nothing.
+class NumberSequence
+    : public NumberCoding<NumberSequence, DecisionModel<6>::Values> {
+ public:
+  static constexpr std::size_t kContexts = 6;
+  using Contexts = DecisionModel<kContexts>::Values;
+
+  explicit NumberSequence(int table_bits)
+      : model_(table_bits, std::array<Weights, 1>{initial()}) {}
+
+  void look(Field /*field*/, const Contexts& contexts) {
+    model_.set_contexts(contexts);
+  }
+  void note(Field /*field*/, std::int64_t /*value*/) {}
 
   template <class Coder>
-  bool decide(Coder& coder, Field field, std::uint32_t node, bool bit,
-              const Contexts& contexts) {
-    model_.set_contexts(contexts);
+  bool decide(Coder& coder, Field field, std::uint32_t node, bool bit) {
     const std::uint32_t weights = std::min(node, kNodes - 1);
     return model_.code(coder, bit, std::uint32_t{field} << 27 | node,
                        {field * kNodes + weights, field});
   }
 
+ private:
   using Weights = DecisionModel<kContexts>::Weights;
   static constexpr Weights initial() {
     Weights weights{};

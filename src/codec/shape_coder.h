@@ -13,22 +13,28 @@ namespace unstep::codec {
 
 struct PlacedShape;
 
-/// Revision 0 is standard, 1 max.
+/// The deep one is for the max effort; the full one, with the contours of the
+/// standard effort, is no longer written.
+inline constexpr std::uint8_t kShapesLight = 0;
+inline constexpr std::uint8_t kShapesFull = 1;
+inline constexpr std::uint8_t kShapesDeep = 2;
+
 [[nodiscard]] constexpr bool is_shape_revision(std::uint8_t revision) {
-  return revision <= 1;
-}
-[[nodiscard]] constexpr std::uint8_t shape_revision(Effort effort) {
-  return effort == Effort::max ? 1 : 0;
+  return revision <= kShapesDeep;
 }
 /// That of coder 1 for what is left, which has many contours and few bytes.
 [[nodiscard]] constexpr std::uint8_t rest_revision(std::uint8_t revision) {
-  return revision == 1 ? kContourMax : kContourLight;
+  return revision == kShapesDeep   ? kContourDeep
+         : revision == kShapesFull ? kContourMax
+                                   : kContourLight;
 }
 
 /// log2 of the models' slots per context, a rule of the size only.
-[[nodiscard]] constexpr int shape_table_bits(std::int32_t width,
+[[nodiscard]] constexpr int shape_table_bits(std::uint8_t revision,
+                                             std::int32_t width,
                                              std::int32_t rows) {
-  return std::int64_t{width} * rows < 1'000'000 ? 14 : 16;
+  const int more = revision == kShapesDeep ? 2 : 0;
+  return (std::int64_t{width} * rows < 1'000'000 ? 14 : 16) + more;
 }
 
 /// The shapes pass for one half of the work, the contours after them for the

@@ -33,12 +33,27 @@ class DecoderSide {
   std::int32_t first_;
 };
 
+std::uint64_t scan_memory(std::uint8_t revision, std::int32_t width,
+                          std::int32_t rows) {
+  const int bits = shape_table_bits(revision, width, rows);
+  return revision == kShapesDeep
+             ? ShapeScan<DecoderSide, DeepShapeModels>::memory(width, bits)
+             : ShapeScan<DecoderSide, MixedShapeModels>::memory(width, bits);
+}
+
+template <class Models>
+Status tell(DecoderSide& side, std::int32_t width, std::int32_t rows, int bits,
+            std::uint64_t memory, const BlockProgress& progress) {
+  ShapeScan<DecoderSide, Models> scan(side, width, rows, bits, memory);
+  return scan.run(progress);
+}
+
 }  // namespace
 
 std::uint64_t shape_memory(std::uint8_t revision, std::int32_t width,
                            std::int32_t rows) {
   // One part is over when the other begins.
-  return std::max(ShapeScan<DecoderSide>::memory(shape_table_bits(width, rows)),
+  return std::max(scan_memory(revision, width, rows),
                   contour_memory(rest_revision(revision), width, rows));
 }
 
@@ -68,16 +83,17 @@ Status decode_shapes(std::span<const std::uint8_t> payload, Bitmap& ink,
                      " bytes, more than the memory limit"};
   }
   entropy::ArithmeticDecoder coder(payload);
-  {
-    DecoderSide side(coder, ink, first_row);
-    const int bits = shape_table_bits(ink.width(), rows);
-    ShapeScan<DecoderSide> scan(
-        side, ink.width(), rows, bits,
-        limits.max_memory - ShapeScan<DecoderSide>::memory(bits));
-    if (Status told = scan.run(first_half(progress)); !told) {
-      return told.error();
-    }
-  }
+  DecoderSide side(coder, ink, first_row);
+  const std::int32_t width = ink.width();
+  const int bits = shape_table_bits(revision, width, rows);
+  const std::uint64_t left =
+      limits.max_memory - scan_memory(revision, width, rows);
+  const BlockProgress first = first_half(progress);
+  const Status told =
+      revision == kShapesDeep
+          ? tell<DeepShapeModels>(side, width, rows, bits, left, first)
+          : tell<MixedShapeModels>(side, width, rows, bits, left, first);
+  if (!told) return told.error();
   Status status =
       code_contours(coder, ink, first_row, rows, rest_revision(revision),
                     second_half(progress, rows));

@@ -39,6 +39,14 @@ class EncoderSide {
   std::size_t next_ = 0;
 };
 
+template <class Models>
+Status tell(EncoderSide& side, std::int32_t width, std::int32_t rows, int bits,
+            const BlockProgress& progress) {
+  ShapeScan<EncoderSide, Models> scan(
+      side, width, rows, bits, std::numeric_limits<std::uint64_t>::max());
+  return scan.run(progress);
+}
+
 }  // namespace
 
 Result<std::vector<std::uint8_t>> encode_shapes(
@@ -61,15 +69,14 @@ Result<std::vector<std::uint8_t>> encode_shapes(
     std::copy(from.begin(), from.end(), rest->row(y).begin());
   }
   entropy::ArithmeticEncoder coder;
-  {
-    EncoderSide side(coder, shapes, *rest);
-    ShapeScan<EncoderSide> scan(side, ink.width(), rows,
-                                shape_table_bits(ink.width(), rows),
-                                std::numeric_limits<std::uint64_t>::max());
-    if (Status told = scan.run(first_half(progress)); !told) {
-      return told.error();
-    }
-  }
+  EncoderSide side(coder, shapes, *rest);
+  const int bits = shape_table_bits(revision, ink.width(), rows);
+  const BlockProgress first = first_half(progress);
+  const Status told =
+      revision == kShapesDeep
+          ? tell<DeepShapeModels>(side, ink.width(), rows, bits, first)
+          : tell<MixedShapeModels>(side, ink.width(), rows, bits, first);
+  if (!told) return told.error();
   Status status = code_contours(coder, *rest, 0, rows, rest_revision(revision),
                                 second_half(progress, rows));
   if (!status) return status.error();

@@ -31,10 +31,11 @@ class ShapeLayout {
       : width_(width), height_(height) {}
 
   /// Whether a shape begins a line.
-  template <class Coder>
-  bool code_new_line(Coder& coder, ShapeSequence& sequence, bool truth,
+  template <class Coder, class Sequence>
+  bool code_new_line(Coder& coder, Sequence& sequence, bool truth,
                      const ShapePasts& past) const {
     const ShapePast& a = past[0];
+    sequence.begin({x_, base_, line_x_, line_base_, in_line_});
     return sequence.flag(
         coder, ShapeSequence::kNewLine, truth,
         {0, join_values(1, a.klass), join_values(2, a.klass, past[1].klass),
@@ -46,8 +47,8 @@ class ShapeLayout {
   /// The left side follows the right side of the shape before, the lower side
   /// the line on which shapes of the same class stood. False if it would lie
   /// outside the band.
-  template <class Coder, class Shape>
-  bool code_place(Coder& coder, ShapeSequence& sequence, Shape& shape,
+  template <class Coder, class Sequence, class Shape>
+  bool code_place(Coder& coder, Sequence& sequence, Shape& shape,
                   const Shape& truth, ShapePast& now,
                   const ShapePasts& past) const {
     const ShapePast& a = past[0];

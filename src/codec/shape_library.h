@@ -21,6 +21,9 @@ class ShapeLibrary {
   struct Entry {
     Glyph glyph;
     std::uint32_t klass = 0;
+    /// Its corner in the frame of the class, that of the first shape.
+    std::int32_t x = 0;
+    std::int32_t y = 0;
   };
 
   /// Bytes that remembering a shape takes at most: thrice (for vectors that
@@ -71,9 +74,10 @@ class ShapeLibrary {
   }
 
   /// Adds to a class. Returns its id.
-  std::uint32_t add(std::uint32_t klass, Glyph glyph) {
+  std::uint32_t add(std::uint32_t klass, Glyph glyph,
+                    std::int32_t x = 0, std::int32_t y = 0) {
     const auto id = static_cast<std::uint32_t>(entries_.size());
-    entries_.push_back({std::move(glyph), klass});
+    entries_.push_back({std::move(glyph), klass, x, y});
     auto& ids = classes_[klass];
     if (ids.size() == kOffered) {
       entries_[ids.back()].glyph = Glyph();  // nobody can ask for it again

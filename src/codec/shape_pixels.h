@@ -13,43 +13,61 @@
 
 namespace unstep::codec {
 
-/// Codes the pixels of one shape, row by row, seeing those before and, if
-/// there is one, the shape that it refers to.
+/// What a shape refers to.
+struct ShapeReference {
+  const ShapeCanvas* pixels = nullptr;  ///< aligned with the shape's canvas
+  /// For models that look at them: the class, the place of the shape's corner
+  /// in the frame that all shapes of the class share, and two more shapes of
+  /// the class, aligned likewise, or null.
+  std::uint32_t klass = 0;
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::array<const ShapeCanvas*, 2> others{};
+};
+
+/// The order in which the pixels of one shape are coded: row by row, seeing
+/// those before and, if there is one, the shape that it refers to.
 ///
 /// Where all that a pixel's neighbours say is one colour, a whole run is one
 /// decision. Other pixels pass a gate: one counter under the nearest pixels,
 /// that codes alone if it is nearly certain. The rest is mixed.
-class ShapePixels {
+template <class Model>
+class ShapePixelOrder {
  public:
   static constexpr int kGateAge = 24;     ///< observations before a gate may
-  static constexpr int kGateRare = 6000;  ///< of 65536
+  static constexpr bool kSeesOthers = Model::kSeesOthers;
+  /// Rows of the reference that are seen, the middle one being the pixel's.
+  static constexpr std::size_t kMatched = 2 * Model::kReach + 1;
 
-  explicit ShapePixels(int table_bits)
-      : mixer_(table_bits, {1024, 256}),
+  explicit ShapePixelOrder(int table_bits)
+      : model_(table_bits),
         gates_(std::size_t{1} << 17),
         quiet_(std::size_t{1} << 7) {}
 
   static std::uint64_t memory(int table_bits) {
-    return PixelMixer::memory(table_bits) + (1 << 20);
+    return Model::memory(table_bits) + (1 << 20);
   }
 
-  /// `truth` is null for a decoder. `reference` is null or aligned with
-  /// `canvas`, which must be clear.
+  /// `truth` is null for a decoder. `canvas` must be clear. `reference` may be
+  /// null.
   template <class Coder>
   void code(Coder& coder, const Glyph* truth, std::int32_t width,
             std::int32_t height, ShapeCanvas& canvas,
-            const ShapeCanvas* reference) {
+            const ShapeReference* reference) {
     errors_ = 0;
+    reference_ = reference;
     refers_ = reference != nullptr;
     for (std::int32_t y = 0; y < height; ++y) {
       for (std::int32_t k = 0; k < 7; ++k) {
         rows_[static_cast<std::size_t>(k)] = canvas.row(y - k);
       }
-      for (std::int32_t k = 0; k < 5 && refers_; ++k) {
-        matched_[static_cast<std::size_t>(k)] = reference->row(y - 2 + k);
+      for (std::size_t k = 0; k < kMatched && refers_; ++k) {
+        matched_[k] = reference->pixels->row(
+            y - Model::kReach + static_cast<std::int32_t>(k));
       }
       find_busy(width);
       width_ = width;
+      y_ = y;
       place_ = std::min<std::uint64_t>(static_cast<std::uint64_t>(y), 31) |
                static_cast<std::uint64_t>(std::min(height - 1 - y, 31)) << 5;
       look(0);
@@ -74,26 +92,13 @@ class ShapePixels {
     }
   }
 
- private:
-  static constexpr std::size_t kWords = (kMaxShapeSide + 64) / 64;
-
-  static std::uint64_t view(ShapeCanvas::Row row, std::int32_t x) {
-    return ShapeCanvas::window(row, x);
-  }
-  /// The next pixels from x on see these windows, moved.
-  void look(std::int32_t x) {
-    first_ = x;
-    for (std::size_t k = 0; k < rows_.size(); ++k) seen_[k] = view(rows_[k], x);
-    for (std::size_t k = 0; k < matched_.size() && refers_; ++k) {
-      matched_seen_[k] = view(matched_[k], x);
-    }
-  }
-  /// Row y - k, and row y - 2 + k of the reference, around x.
+  /// Row y - k, and row y + k of the reference, around x: a window with pixel x
+  /// in bit 31.
   [[nodiscard]] std::uint64_t above(std::size_t k, std::int32_t x) const {
     return seen_[k] << (x - first_);
   }
-  [[nodiscard]] std::uint64_t matched(std::size_t k, std::int32_t x) const {
-    return matched_seen_[k] << (x - first_);
+  [[nodiscard]] std::uint64_t matched(int k, std::int32_t x) const {
+    return matched_seen_[middle(k)] << (x - first_);
   }
   /// `left` pixels before the middle, the middle and `right` after it.
   static constexpr std::uint64_t cut(std::uint64_t window, int left,
@@ -106,6 +111,41 @@ class ShapePixels {
     return window >> 32 & ((std::uint64_t{1} << count) - 1);
   }
 
+  [[nodiscard]] const ShapeReference& reference() const { return *reference_; }
+  [[nodiscard]] bool refers() const { return refers_; }
+  [[nodiscard]] std::int32_t y() const { return y_; }
+  /// 0..3: how often the reference was wrong lately.
+  [[nodiscard]] unsigned quality() const {
+    return errors_ < 1024 ? 0U : errors_ < 4096 ? 1U : errors_ < 10240 ? 2U : 3U;
+  }
+  /// Distances from the sides of the shape, at most 31: top, bottom, left and
+  /// right, five bits each.
+  [[nodiscard]] std::uint64_t place(std::int32_t x) const {
+    return place_ | static_cast<std::uint64_t>(std::min(x, 31)) << 10 |
+           static_cast<std::uint64_t>(std::min(width_ - x, 31)) << 15;
+  }
+  static std::uint64_t view(ShapeCanvas::Row row, std::int32_t x) {
+    return ShapeCanvas::window(row, x);
+  }
+
+  /// The nearest pixels.
+  struct Near {
+    std::uint64_t r0, r1, r2;  ///< windows of this row and the two above
+    std::uint64_t near, block, corner;
+    int gate;  ///< the probability of the gate
+  };
+
+ private:
+  static constexpr std::size_t kWords = (kMaxShapeSide + 64) / 64;
+
+  /// The next pixels from x on see these windows, moved.
+  void look(std::int32_t x) {
+    first_ = x;
+    for (std::size_t k = 0; k < rows_.size(); ++k) seen_[k] = view(rows_[k], x);
+    for (std::size_t k = 0; k < matched_.size() && refers_; ++k) {
+      matched_seen_[k] = view(matched_[k], x);
+    }
+  }
   /// Marks the pixels of a row whose neighbours are of both colours.
   void find_busy(std::int32_t width) {
     for (std::int32_t i = 0; i * 64 < width; ++i) {
@@ -120,7 +160,7 @@ class ShapePixels {
       };
       if (refers_) {
         see(rows_[1], 1);
-        for (std::size_t k = 1; k <= 3; ++k) see(matched_[k], 1);
+        for (std::int32_t k = -1; k <= 1; ++k) see(matched_[middle(k)], 1);
       } else {
         see(rows_[1], 3);
         see(rows_[2], 2);
@@ -190,21 +230,22 @@ class ShapePixels {
     std::uint64_t block = 0;
     std::uint64_t middle = 0;
     if (refers_) {
-      middle = matched(2, x);
-      block = cut(middle, 1, 1) | cut(matched(1, x), 1, 1) << 3 |
-              cut(matched(3, x), 1, 1) << 6;
+      middle = matched(0, x);
+      block = cut(middle, 1, 1) | cut(matched(-1, x), 1, 1) << 3 |
+              cut(matched(1, x), 1, 1) << 6;
     }
     entropy::Counter& gate =
         gates_[refers_ ? 1U << 16 | block | corner << 9 : near];
     const bool likely = gate.p >= 32768;
     const int rare = likely ? 65535 - gate.p : gate.p;
     bool bit = likely;
-    if (gate.n >= kGateAge && rare < kGateRare) {
+    if (gate.n >= kGateAge && rare < Model::kGateRare) {
       bit = coder.code(truth != likely, rare + 4) != likely;
       gate.update(bit);
       if (bit == likely) return bit;
     } else {
-      bit = mix(coder, truth, x, {r0, r1, r2, near, block, corner});
+      bit = model_.code(coder, truth, x,
+                        Near{r0, r1, r2, near, block, corner, gate.p}, *this);
       gate.update(bit);
     }
     const bool expected = (middle >> 31 & 1) != 0;
@@ -212,17 +253,53 @@ class ShapePixels {
     return bit;
   }
 
-  struct Near {
-    std::uint64_t r0, r1, r2, near, block, corner;
-  };
+  static constexpr std::size_t middle(int k) {
+    return static_cast<std::size_t>(Model::kReach + k);
+  }
 
-  template <class Coder>
-  bool mix(Coder& coder, bool truth, std::int32_t x, const Near& n) {
-    const std::uint64_t place =
-        place_ | static_cast<std::uint64_t>(std::min(x, 31)) << 10 |
-        static_cast<std::uint64_t>(std::min(width_ - x, 31)) << 15;
-    const std::uint64_t r3 = above(3, x);
-    const std::uint64_t r4 = above(4, x);
+  Model model_;
+  std::vector<entropy::Counter> gates_;
+  std::vector<entropy::Counter> quiet_;
+  std::int32_t errors_ = 0;
+  bool refers_ = false;
+  const ShapeReference* reference_ = nullptr;
+  std::int32_t y_ = 0;
+  std::int32_t width_ = 0;
+  std::uint64_t place_ = 0;  ///< of the row, from the top and from the bottom
+  /// Windows of the rows below around first_: for x up to kLook - 1 more the
+  /// contexts have them whole.
+  static constexpr std::int32_t kLook = Model::kLook;
+  std::int32_t first_ = 0;
+  std::array<std::uint64_t, 7> seen_{};
+  std::array<std::uint64_t, kMatched> matched_seen_{};
+  std::array<ShapeCanvas::Row, 7> rows_{};     ///< this row and those above
+  std::array<ShapeCanvas::Row, kMatched> matched_{};  ///< of the reference
+  std::array<std::uint64_t, kWords> busy_{};
+  std::array<std::uint64_t, kWords> ink_{};
+};
+
+/// Eight contexts, mixed.
+class MixedShapePixels {
+ public:
+  static constexpr int kGateRare = 6000;  ///< of 65536
+  static constexpr std::int32_t kReach = 2;  ///< rows of the reference
+  static constexpr std::int32_t kLook = 24;  ///< 6 pixels ahead are seen
+  static constexpr bool kSeesOthers = false;
+
+  explicit MixedShapePixels(int table_bits) : mixer_(table_bits, {1024, 256}) {}
+
+  static std::uint64_t memory(int table_bits) {
+    return PixelMixer::memory(table_bits);
+  }
+
+  template <class Coder, class Order>
+  bool code(Coder& coder, bool truth, std::int32_t x,
+            const typename Order::Near& n, const Order& order) {
+    const auto cut = Order::cut;
+    const auto before = Order::before;
+    const std::uint64_t place = order.place(x);
+    const std::uint64_t r3 = order.above(3, x);
+    const std::uint64_t r4 = order.above(4, x);
     PixelMixer::Contexts c;
     c[0] = before(n.r0, 6) | cut(n.r1, 4, 4) << 6 | cut(n.r2, 3, 3) << 15 |
            cut(r3, 2, 2) << 22;
@@ -232,18 +309,15 @@ class ShapePixels {
            cut(r3, 2, 5) << 21;
     c[3] = before(n.r0, 1) | cut(n.r1, 1, 3) << 1 | cut(n.r2, 1, 1) << 6 |
            cut(r3, 1, 1) << 9 | cut(r4, 1, 1) << 12 |
-           cut(above(5, x), 1, 1) << 15 | cut(above(6, x), 1, 1) << 18;
+           cut(order.above(5, x), 1, 1) << 15 | cut(order.above(6, x), 1, 1) << 18;
     PixelMixer::Chosen chosen;
-    if (refers_) {
-      const std::uint64_t quality = errors_ < 1024    ? 0
-                                    : errors_ < 4096  ? 1
-                                    : errors_ < 10240 ? 2
-                                                      : 3;
+    if (order.refers()) {
+      const std::uint64_t quality = order.quality();
       const std::uint64_t kind = 1ULL << 60 | quality << 56;
       const std::uint64_t wide =
-          cut(matched(0, x), 1, 1) | cut(matched(1, x), 2, 2) << 3 |
-          cut(matched(2, x), 2, 2) << 8 | cut(matched(3, x), 2, 2) << 13 |
-          cut(matched(4, x), 1, 1) << 18;
+          cut(order.matched(-2, x), 1, 1) | cut(order.matched(-1, x), 2, 2) << 3 |
+          cut(order.matched(0, x), 2, 2) << 8 | cut(order.matched(1, x), 2, 2) << 13 |
+          cut(order.matched(2, x), 1, 1) << 18;
       c[4] = kind | n.block | n.corner << 9;
       c[5] = kind | wide | (n.corner & 1) << 24 | (n.r1 >> 31 & 1) << 25;
       c[6] = kind | n.block | n.near << 9;
@@ -261,23 +335,10 @@ class ShapePixels {
     return mixer_.code(coder, truth, c, chosen);
   }
 
+ private:
   PixelMixer mixer_;
-  std::vector<entropy::Counter> gates_;
-  std::vector<entropy::Counter> quiet_;
-  std::int32_t errors_ = 0;
-  bool refers_ = false;
-  std::int32_t width_ = 0;
-  std::uint64_t place_ = 0;  ///< of the row, from the top and from the bottom
-  /// Windows of the rows below around first_: for x up to kLook - 1 more the
-  /// contexts, which see 6 pixels ahead, have them whole.
-  static constexpr std::int32_t kLook = 24;
-  std::int32_t first_ = 0;
-  std::array<std::uint64_t, 7> seen_{};
-  std::array<std::uint64_t, 5> matched_seen_{};
-  std::array<ShapeCanvas::Row, 7> rows_{};     ///< this row and those above
-  std::array<ShapeCanvas::Row, 5> matched_{};  ///< rows y - 2 .. y + 2
-  std::array<std::uint64_t, kWords> busy_{};
-  std::array<std::uint64_t, kWords> ink_{};
 };
+
+using ShapePixels = ShapePixelOrder<MixedShapePixels>;
 
 }  // namespace unstep::codec

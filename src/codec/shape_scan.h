@@ -1,7 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 
 #include "codec/block_coder.h"
@@ -9,8 +12,7 @@
 #include "codec/shape_glyph.h"
 #include "codec/shape_layout.h"
 #include "codec/shape_library.h"
-#include "codec/shape_pixels.h"
-#include "codec/shape_sequence.h"
+#include "codec/shape_models.h"
 
 namespace unstep::codec {
 
@@ -22,7 +24,9 @@ namespace unstep::codec {
 ///     next()           the next true shape, or null at the end or if unknown
 ///     place(shape)     a shape is complete; false if it cannot be placed
 ///     damaged()        the payload cannot be right; give up
-template <class Side>
+///
+/// `Models` are its Pixels and its Sequence.
+template <class Side, class Models>
 class ShapeScan {
  public:
   /// Models of 2^table_bits slots a context; `shape_memory` bytes may go to
@@ -33,13 +37,12 @@ class ShapeScan {
         room_(shape_room(width, height)),
         memory_(shape_memory),
         pixels_(table_bits),
-        sequence_(kSequenceBits),
+        sequence_(Models::make_sequence(width)),
         layout_(width, height) {}
 
   /// Bytes that the models allocate.
-  static std::uint64_t memory(int table_bits) {
-    return ShapePixels::memory(table_bits) +
-           (std::uint64_t{ShapeSequence::kContexts * 4} << kSequenceBits) +
+  static std::uint64_t memory(std::int32_t width, int table_bits) {
+    return Models::Pixels::memory(table_bits) + Models::sequence_memory(width) +
            (1 << 20);
   }
 
@@ -73,7 +76,6 @@ class ShapeScan {
 
  private:
   using Past = ShapePast;
-  static constexpr int kSequenceBits = 16;
   static constexpr std::uint64_t kOften = 1 << 16;  ///< pixels: some ms
 
   bool one(const PlacedShape& truth) {
@@ -136,6 +138,7 @@ class ShapeScan {
          join_values(5, klass, a.klass)}));
     if (rank >= library_.offered(klass)) return false;
     shape.reference = library_.at(klass, rank);
+    sequence_.refer(shape.reference + 1);
     const Glyph& model = library_.entry(shape.reference).glyph;
     now.same = sequence_.flag(
         coder, ShapeSequence::kSame, known && truth.glyph == model,
@@ -149,7 +152,7 @@ class ShapeScan {
       shape.glyph = model;
       return true;
     }
-    const auto small = [&](ShapeSequence::Field field, std::int32_t value) {
+    const auto small = [&](std::uint8_t field, std::int32_t value) {
       const auto read = sequence_.small(
           coder, field, known ? static_cast<unsigned>(value + 4) & 7U : 0U, 3,
           {0, join_values(1, klass), join_values(2, a.klass),
@@ -175,7 +178,7 @@ class ShapeScan {
 
   void open(PlacedShape& shape, const PlacedShape& truth) {
     const Past& a = past_[0];
-    const auto side = [&](ShapeSequence::Field field, std::int32_t value,
+    const auto side = [&](std::uint8_t field, std::int32_t value,
                           std::uint64_t other) {
       const auto read =
           sequence_.small(side_.coder(), field,
@@ -195,16 +198,45 @@ class ShapeScan {
 
   void draw(PlacedShape& shape, const PlacedShape& truth) {
     canvas_.clear(shape.glyph.height);
-    if (shape.refers) {
-      const Glyph& model = library_.entry(shape.reference).glyph;
-      reference_.clear(shape.glyph.height);
-      reference_.draw(model, (model.width - shape.glyph.width) / 2 + shape.dx,
-                      (model.height - shape.glyph.height) / 2 + shape.dy);
-    }
+    if (shape.refers) align(shape);
     pixels_.code(side_.coder(), Side::kKnows ? &truth.glyph : nullptr,
                  shape.glyph.width, shape.glyph.height, canvas_,
-                 shape.refers ? &reference_ : nullptr);
+                 shape.refers ? &told_ : nullptr);
     canvas_.take(shape.glyph);
+  }
+
+  /// Lays what the shape refers to over it.
+  void align(const PlacedShape& shape) {
+    const auto lay = [&](std::size_t k, const Glyph& glyph, std::int32_t dx,
+                         std::int32_t dy) {
+      laid_[k].clear(shape.glyph.height);
+      laid_[k].draw(glyph, dx, dy);
+      return &laid_[k];
+    };
+    const ShapeLibrary::Entry& model = library_.entry(shape.reference);
+    const std::int32_t dx =
+        (model.glyph.width - shape.glyph.width) / 2 + shape.dx;
+    const std::int32_t dy =
+        (model.glyph.height - shape.glyph.height) / 2 + shape.dy;
+    constexpr std::int32_t kFar = 1 << 20;  // however long a class goes on
+    told_ = {lay(0, model.glyph, dx, dy),
+             model.klass + 1,
+             std::clamp(model.x + dx, -kFar, kFar),
+             std::clamp(model.y + dy, -kFar, kFar),
+             {}};
+    if constexpr (!Models::Pixels::kSeesOthers) return;
+    std::size_t found = 0;
+    for (std::size_t r = 0; r < library_.offered(model.klass); ++r) {
+      const std::uint32_t id = library_.at(model.klass, r);
+      const ShapeLibrary::Entry& other = library_.entry(id);
+      const std::int32_t x = told_.x - other.x;
+      const std::int32_t y = told_.y - other.y;
+      if (id == shape.reference || std::abs(x) > 30 || std::abs(y) > 30) {
+        continue;
+      }
+      told_.others[found] = lay(found + 1, other.glyph, x, y);
+      if (++found == told_.others.size()) return;
+    }
   }
 
   bool remember(PlacedShape& shape, Past& now) {
@@ -217,8 +249,13 @@ class ShapeScan {
       now.id = library_.open(std::move(shape.glyph)) + 1;
       now.klass = library_.entry(now.id - 1).klass + 1;
     } else if (!now.same) {
-      now.id = library_.add(now.klass - 1, std::move(shape.glyph)) + 1;
+      now.id = library_.add(now.klass - 1, std::move(shape.glyph),
+                            told_.x, told_.y) +
+               1;
     }
+    sequence_.remember({now.klass, now.id, now.gap, now.rise, shape.x,
+                        shape.y + now.height, now.width, now.height,
+                        shape.new_line});
     past_[2] = past_[1];
     past_[1] = past_[0];
     past_[0] = now;
@@ -228,11 +265,12 @@ class ShapeScan {
   Side& side_;
   std::uint64_t room_;
   std::uint64_t memory_;
-  ShapePixels pixels_;
-  ShapeSequence sequence_;
+  typename Models::Pixels pixels_;
+  typename Models::Sequence sequence_;
   ShapeLibrary library_;
   ShapeCanvas canvas_;
-  ShapeCanvas reference_;
+  ShapeReference told_;  ///< what the last shape with pixels referred to
+  std::array<ShapeCanvas, 3> laid_;
   ShapeLayout layout_;
   ShapePasts past_{};
   std::int32_t row_ = 0;  ///< the top of the last shape

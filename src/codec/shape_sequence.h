@@ -6,11 +6,31 @@
 
 namespace unstep::codec {
 
-/// Codes what is said of shapes beside their pixels.
-class ShapeSequence : public NumberSequence {
- public:
-  /// What a number means.
-  enum Field : std::uint8_t {
+/// Where the next shape would stand, as far as ShapeLayout knows.
+struct ShapePen {
+  std::int32_t x = 0;     ///< right side of the last shape
+  std::int32_t base = 0;  ///< and the line it stands on
+  std::int32_t line_x = 0;
+  std::int32_t line_base = 0;  ///< the same of the last line's first shape
+  unsigned in_line = 0;        ///< shapes on this line, at most 15
+};
+
+/// A shape that has its place.
+struct ShapeFact {
+  std::uint32_t klass = 0;  ///< and 1
+  std::uint32_t id = 0;     ///< and 1
+  std::int32_t gap = 0;
+  std::int32_t rise = 0;
+  std::int32_t x = 0;
+  std::int32_t bottom = 0;
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  bool new_line = false;
+};
+
+/// What a number said of shapes means.
+struct ShapeFields {
+  enum : std::uint8_t {
     kMore,
     kNewLine,
     kRefers,
@@ -26,8 +46,17 @@ class ShapeSequence : public NumberSequence {
     kRise,
     kFields
   };
+};
 
+/// Codes what is said of shapes beside their pixels.
+class ShapeSequence : public NumberSequence, public ShapeFields {
+ public:
   using NumberSequence::NumberSequence;
+
+  /// What other sequences look at.
+  void begin(const ShapePen& /*pen*/) {}
+  void refer(std::uint32_t /*id*/) {}
+  void remember(const ShapeFact& /*fact*/) {}
 };
 
 }  // namespace unstep::codec
