@@ -12,9 +12,14 @@
 namespace unstep::codec {
 
 class CentrelineModel;
-class CentrelineStartModel;
+template <class Decisions>
+class LineStartModel;
+template <std::size_t kContexts, std::size_t kSets, bool kRefined>
+class DecisionModel;
 
-inline constexpr std::uint8_t kCentrelineRevision = 0;
+/// The models, of the standard and the max effort.
+inline constexpr std::uint8_t kCentrelinesMixed = 0;
+inline constexpr std::uint8_t kCentrelinesDeep = 1;
 inline constexpr std::uint8_t kCentrelineTable = 0;
 
 /// Pixels of branches that may wait at once: a bound of the format, far above
@@ -23,14 +28,17 @@ inline constexpr std::size_t kMostWaiting = std::size_t{1} << 14;
 
 /// log2 of the model's slots per context, a rule of the size only, so that it
 /// need not be stored.
-[[nodiscard]] constexpr int centreline_table_bits(std::int32_t width,
+[[nodiscard]] constexpr int centreline_table_bits(std::uint8_t revision,
+                                                  std::int32_t width,
                                                   std::int32_t rows) {
   const std::int64_t pixels = std::int64_t{width} * rows;
-  return pixels < 40'000 ? 11 : pixels < 2'000'000 ? 13 : 15;
+  const int more = revision == kCentrelinesDeep ? 1 : 0;
+  return (pixels < 40'000 ? 11 : pixels < 2'000'000 ? 13 : 15) + more;
 }
 
 /// Bytes that coding such a block allocates: the pixels and the models.
-[[nodiscard]] std::uint64_t centreline_memory(std::int32_t width,
+[[nodiscard]] std::uint64_t centreline_memory(std::uint8_t revision,
+                                              std::int32_t width,
                                               std::int32_t rows);
 
 /// Whether this coder is worth trying: lines of one pixel are most of the ink
@@ -42,22 +50,24 @@ inline constexpr std::size_t kMostWaiting = std::size_t{1} << 14;
 /// Empty if too many branches would wait.
 Result<std::vector<std::uint8_t>> encode_centrelines(
     const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
-    const BlockProgress& progress);
+    std::uint8_t revision, const BlockProgress& progress);
 
 Status decode_centrelines(std::span<const std::uint8_t> payload, Bitmap& ink,
                           std::int32_t first_row, std::int32_t rows,
-                          const DecodeLimits& limits,
+                          std::uint8_t revision, const DecodeLimits& limits,
                           const BlockProgress& progress);
 
 /// Decodes and compares with those rows of `ink`; internal if they differ.
 Status verify_centrelines(std::span<const std::uint8_t> payload,
                           const Bitmap& ink, std::int32_t first_row,
-                          std::int32_t rows, const DecodeLimits& limits,
+                          std::int32_t rows, std::uint8_t revision,
+                          const DecodeLimits& limits,
                           const BlockProgress& progress);
 
 /// For training: encodes and shows the models as they are at the end.
 using CentrelineVisitor = std::function<void(
-    const CentrelineModel& lines, const CentrelineStartModel& starts)>;
+    const CentrelineModel& lines,
+    const LineStartModel<DecisionModel<10, 3, true>>& starts)>;
 Status show_centreline_models(const Bitmap& ink,
                               const CentrelineVisitor& visit);
 

@@ -8,10 +8,16 @@
 
 namespace unstep::codec {
 
-std::uint64_t centreline_memory(std::int32_t width, std::int32_t rows) {
+std::uint64_t centreline_memory(std::uint8_t revision, std::int32_t width,
+                                std::int32_t rows) {
+  const int bits = centreline_table_bits(revision, width, rows);
+  const std::uint64_t models =
+      revision == kCentrelinesDeep
+          ? DeepCentrelineModel::memory(bits) +
+                DeepLineStartModel::memory(width)
+          : CentrelineModel::memory(bits) + CentrelineStartModel::memory(width);
   return PixelPlanes::memory(width, rows) + VertexRulers::memory(width, rows) +
-         CentrelineModel::memory(centreline_table_bits(width, rows)) +
-         CentrelineStartModel::memory(width) + sizeof(Point) * 2 * kMostWaiting;
+         models + sizeof(Point) * 2 * kMostWaiting;
 }
 
 namespace {
@@ -46,9 +52,10 @@ class DecoderSide {
 
 template <class Sink>
 Status decode_rows(std::span<const std::uint8_t> payload, std::int32_t width,
-                   std::int32_t rows, const DecodeLimits& limits,
-                   const BlockProgress& progress, Sink sink) {
-  const std::uint64_t memory = centreline_memory(width, rows);
+                   std::int32_t rows, std::uint8_t revision,
+                   const DecodeLimits& limits, const BlockProgress& progress,
+                   Sink sink) {
+  const std::uint64_t memory = centreline_memory(revision, width, rows);
   if (memory > limits.max_memory) {
     return Error{ErrorCode::limit_exceeded,
                  "centrelines of " + std::to_string(width) + " x " +
@@ -58,8 +65,16 @@ Status decode_rows(std::span<const std::uint8_t> payload, std::int32_t width,
   }
   entropy::ArithmeticDecoder coder(payload);
   DecoderSide<Sink> side(coder, width, std::move(sink));
-  CentrelineScan scan(side, width, rows, centreline_table_bits(width, rows));
-  Status status = scan.run(progress);
+  const int bits = centreline_table_bits(revision, width, rows);
+  using Side = DecoderSide<Sink>;
+  Status status =
+      revision == kCentrelinesDeep
+          ? CentrelineScan<Side, DeepCentrelineModel, DeepLineStartModel>(
+                side, width, rows, bits)
+                .run(progress)
+          : CentrelineScan<Side, CentrelineModel, CentrelineStartModel>(
+                side, width, rows, bits)
+                .run(progress);
   if (!status) return status;
   if (!coder.finished()) {
     return Error{ErrorCode::corrupt,
@@ -72,10 +87,10 @@ Status decode_rows(std::span<const std::uint8_t> payload, std::int32_t width,
 
 Status decode_centrelines(std::span<const std::uint8_t> payload, Bitmap& ink,
                           std::int32_t first_row, std::int32_t rows,
-                          const DecodeLimits& limits,
+                          std::uint8_t revision, const DecodeLimits& limits,
                           const BlockProgress& progress) {
   return decode_rows(
-      payload, ink.width(), rows, limits, progress,
+      payload, ink.width(), rows, revision, limits, progress,
       [&](std::int32_t y, std::size_t word, std::uint64_t pixels) {
         ink.row(first_row + y)[word] = pixels;
       });
@@ -83,11 +98,12 @@ Status decode_centrelines(std::span<const std::uint8_t> payload, Bitmap& ink,
 
 Status verify_centrelines(std::span<const std::uint8_t> payload,
                           const Bitmap& ink, std::int32_t first_row,
-                          std::int32_t rows, const DecodeLimits& limits,
+                          std::int32_t rows, std::uint8_t revision,
+                          const DecodeLimits& limits,
                           const BlockProgress& progress) {
   std::int32_t differs = -1;
   Status decoded =
-      decode_rows(payload, ink.width(), rows, limits, progress,
+      decode_rows(payload, ink.width(), rows, revision, limits, progress,
                   [&](std::int32_t y, std::size_t word, std::uint64_t pixels) {
                     if (differs < 0 && ink.row(first_row + y)[word] != pixels)
                       differs = y;

@@ -30,6 +30,11 @@ class EncoderSide {
   std::int32_t first_;
 };
 
+using MixedScan =
+    CentrelineScan<EncoderSide, CentrelineModel, CentrelineStartModel>;
+using DeepScan =
+    CentrelineScan<EncoderSide, DeepCentrelineModel, DeepLineStartModel>;
+
 }  // namespace
 
 bool is_thin(const Bitmap& ink, std::int32_t first_row, std::int32_t rows) {
@@ -54,12 +59,15 @@ bool is_thin(const Bitmap& ink, std::int32_t first_row, std::int32_t rows) {
 
 Result<std::vector<std::uint8_t>> encode_centrelines(
     const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
-    const BlockProgress& progress) {
+    std::uint8_t revision, const BlockProgress& progress) {
   entropy::ArithmeticEncoder coder;
   EncoderSide side(coder, ink, first_row);
-  CentrelineScan scan(side, ink.width(), rows,
-                      centreline_table_bits(ink.width(), rows));
-  const Status status = scan.run(progress);
+  const std::int32_t width = ink.width();
+  const int bits = centreline_table_bits(revision, width, rows);
+  const Status status =
+      revision == kCentrelinesDeep
+          ? DeepScan(side, width, rows, bits).run(progress)
+          : MixedScan(side, width, rows, bits).run(progress);
   if (status) return coder.finish();
   if (status.error().code == ErrorCode::corrupt) {
     return std::vector<std::uint8_t>{};  // too many branches wait
@@ -71,8 +79,9 @@ Status show_centreline_models(const Bitmap& ink,
                               const CentrelineVisitor& visit) {
   entropy::ArithmeticEncoder coder;
   EncoderSide side(coder, ink, 0);
-  CentrelineScan scan(side, ink.width(), ink.height(),
-                      centreline_table_bits(ink.width(), ink.height()));
+  MixedScan scan(
+      side, ink.width(), ink.height(),
+      centreline_table_bits(kCentrelinesMixed, ink.width(), ink.height()));
   Status status = scan.run({});
   if (status) visit(scan.lines(), scan.starts());
   return status;

@@ -9,6 +9,7 @@
 #include "codec/centreline_coder.h"
 #include "codec/centreline_model.h"
 #include "codec/centreline_start_model.h"
+#include "codec/deep_centreline_model.h"
 #include "codec/pixel_planes.h"
 #include "codec/vertex_rulers.h"
 
@@ -26,7 +27,9 @@ namespace unstep::codec {
 ///     damaged()            the payload cannot be right; give up
 ///
 /// The decoder's answers to the questions are never looked at.
-template <class Side>
+///
+/// `Lines` and `Starts` are the models.
+template <class Side, class Lines, class Starts>
 class CentrelineScan {
  public:
   CentrelineScan(Side& side, std::int32_t width, std::int32_t height,
@@ -52,8 +55,8 @@ class CentrelineScan {
     return {};
   }
 
-  [[nodiscard]] const CentrelineModel& lines() const { return lines_; }
-  [[nodiscard]] const CentrelineStartModel& starts() const { return starts_; }
+  [[nodiscard]] const Lines& lines() const { return lines_; }
+  [[nodiscard]] const Starts& starts() const { return starts_; }
 
  private:
   /// A pixel of ink whose neighbours are still to be looked at.
@@ -133,7 +136,7 @@ class CentrelineScan {
   }
   /// The turn of a set, not empty, that is asked about first.
   static unsigned first_of(unsigned turns) {
-    for (const std::uint8_t turn : CentrelineModel::kOrder) {
+    for (const std::uint8_t turn : Lines::kOrder) {
       if ((turns >> turn & 1) != 0) return turn;
     }
     return 0;
@@ -166,8 +169,8 @@ class CentrelineScan {
   /// wait.
   bool let_wait(Point at, Step heading, unsigned turns) {
     if (turns == 0) return true;
-    for (std::size_t i = CentrelineModel::kOrder.size(); i-- > 0;) {
-      const unsigned turn = CentrelineModel::kOrder[i];
+    for (std::size_t i = Lines::kOrder.size(); i-- > 0;) {
+      const unsigned turn = Lines::kOrder[i];
       if ((turns >> turn & 1) == 0) continue;
       if (waiting_.size() == kMostWaiting) return false;
       waiting_.push_back({neighbour(at, heading, turn),
@@ -189,8 +192,8 @@ class CentrelineScan {
   Side& side_;
   PixelPlanes planes_;
   VertexRulers rulers_;
-  CentrelineModel lines_;
-  CentrelineStartModel starts_;
+  Lines lines_;
+  Starts starts_;
   std::vector<Waiting> waiting_;  ///< the last one goes first
 };
 

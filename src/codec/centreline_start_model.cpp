@@ -33,7 +33,8 @@ std::uint64_t near_ink(const PixelPlanes& planes, std::int32_t y,
 
 }  // namespace
 
-CentrelineStartModel::CentrelineStartModel(const PixelPlanes& planes,
+template <class Decisions>
+LineStartModel<Decisions>::LineStartModel(const PixelPlanes& planes,
                                            const VertexRulers& rulers)
     : planes_(planes),
       rulers_(rulers),
@@ -41,14 +42,17 @@ CentrelineStartModel::CentrelineStartModel(const PixelPlanes& planes,
       density_((static_cast<std::size_t>(planes.width()) + 63) / 64 + 2),
       last_(static_cast<std::size_t>(planes.width()) + 2, kNever),
       gates_(std::size_t{1} << kGateBits),
-      words_(kTableBits, std::span(kInitialWeights).first<1>()),
-      pixels_(kTableBits, std::span(kInitialWeights).last<1>()) {}
+      words_(kTableBits, std::span(kLineStartWeights).subspan(0, 1)),
+      pixels_(kTableBits, std::span(kLineStartWeights).subspan(1, 1)) {}
 
-std::uint64_t CentrelineStartModel::memory(std::int32_t width) {
-  return static_cast<std::uint64_t>(width) * 7 + (std::uint64_t{2} << 20);
+template <class Decisions>
+std::uint64_t LineStartModel<Decisions>::memory(std::int32_t width) {
+  return static_cast<std::uint64_t>(width) * 7 +
+         2 * Decisions::memory(kTableBits) + (std::uint64_t{1} << 20);
 }
 
-void CentrelineStartModel::begin_row(std::int32_t y) {
+template <class Decisions>
+void LineStartModel<Decisions>::begin_row(std::int32_t y) {
   if (row_starts_ > 0) last_row_ = y_;
   y_ = y;
   row_starts_ = 0;
@@ -60,7 +64,8 @@ void CentrelineStartModel::begin_row(std::int32_t y) {
   }
 }
 
-entropy::Counter& CentrelineStartModel::look_at_word(std::uint64_t mask,
+template <class Decisions>
+entropy::Counter& LineStartModel<Decisions>::look_at_word(std::uint64_t mask,
                                                      std::int32_t word) {
   const Density* at = &density_[static_cast<std::size_t>(word)];
   const auto octave = [](std::uint64_t pixels) {
@@ -80,7 +85,8 @@ entropy::Counter& CentrelineStartModel::look_at_word(std::uint64_t mask,
   return gates_[hash >> (64 - kGateBits)];
 }
 
-void CentrelineStartModel::set_word_contexts(std::int32_t word) {
+template <class Decisions>
+void LineStartModel<Decisions>::set_word_contexts(std::int32_t word) {
   const Density* at = &density_[static_cast<std::size_t>(word)];
   const auto& [quick, beside, slow, size, close, few] = sight_;
   const unsigned wide = log_level((at[0].slow + at[1].slow + at[2].slow) / 2);
@@ -99,7 +105,8 @@ void CentrelineStartModel::set_word_contexts(std::int32_t word) {
   word_selectors_ = {sizes, quick * 16 + slow, wide};
 }
 
-void CentrelineStartModel::look_at_pixel(std::int32_t x, std::uint64_t rest) {
+template <class Decisions>
+void LineStartModel<Decisions>::look_at_pixel(std::int32_t x, std::uint64_t rest) {
   const Density& density = density_[static_cast<std::size_t>(x / 64) + 1];
   const auto left = static_cast<unsigned>(ones(rest));
   const PixelPatch patch = pixel_patch::at(planes_, planes_.at(x, y_), 0);
@@ -123,7 +130,8 @@ void CentrelineStartModel::look_at_pixel(std::int32_t x, std::uint64_t rest) {
   pixel_selectors_ = {left, std::min(gap, 100U), column};
 }
 
-void CentrelineStartModel::count(std::int32_t x) {
+template <class Decisions>
+void LineStartModel<Decisions>::count(std::int32_t x) {
   ++row_starts_;
   row_last_ = x;
   last_[static_cast<std::size_t>(x) + 1] = y_;
@@ -134,5 +142,8 @@ void CentrelineStartModel::count(std::int32_t x) {
   density.last = y_;
   density.column = x;
 }
+
+template class LineStartModel<DecisionModel<10, 3, true>>;
+template class LineStartModel<DeepDecisions<10, 3>>;
 
 }  // namespace unstep::codec

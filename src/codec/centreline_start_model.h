@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "codec/decision_model.h"
+#include "codec/deep_decisions.h"
 #include "codec/pixel_planes.h"
 #include "codec/vertex_rulers.h"
 #include "entropy/counter.h"
@@ -14,15 +15,15 @@ namespace unstep::codec {
 
 /// Predicts where pieces of ink are met, in the order of rows: for the 64
 /// pixels of a word whether there is one, then for each pixel in turn.
-class CentrelineStartModel {
+/// `Decisions` has the interface of DecisionModel<10, 3>.
+template <class Decisions>
+class LineStartModel {
  public:
-  using Words = DecisionModel<10, 3, true>;
-  using Pixels = DecisionModel<10, 3, true>;
-  /// What the mixers start with, 12 fractional bits: words, then pixels.
-  static const std::array<Words::Weights, 2> kInitialWeights;
+  using Words = Decisions;
+  using Pixels = Decisions;
 
   /// The planes and rulers must outlive the model.
-  CentrelineStartModel(const PixelPlanes& planes, const VertexRulers& rulers);
+  LineStartModel(const PixelPlanes& planes, const VertexRulers& rulers);
 
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(std::int32_t width);
@@ -59,9 +60,9 @@ class CentrelineStartModel {
     }
   }
 
-  /// For the training of kInitialWeights.
-  [[nodiscard]] const auto& words() const { return words_.mixer(); }
-  [[nodiscard]] const auto& pixels() const { return pixels_.mixer(); }
+  /// For the training of kLineStartWeights.
+  [[nodiscard]] const Words& words() const { return words_; }
+  [[nodiscard]] const Pixels& pixels() const { return pixels_; }
 
  private:
   static constexpr int kTableBits = 14;
@@ -96,12 +97,22 @@ class CentrelineStartModel {
   Words words_;
   Pixels pixels_;
   WordSight sight_;
-  Words::Selectors word_selectors_{};
-  Pixels::Selectors pixel_selectors_{};
+  typename Words::Selectors word_selectors_{};
+  typename Pixels::Selectors pixel_selectors_{};
   std::int32_t y_ = 0;
   std::int32_t last_row_ = 0;  ///< that had starts, before this one
   unsigned row_starts_ = 0;    ///< in this row
   std::int32_t row_last_ = 0;  ///< column of the last one
 };
+
+/// What the mixers start with, 12 fractional bits: words, then pixels.
+using LineStartWeights =
+    std::array<DecisionModel<10, 3, true>::Weights, 2>;
+extern const LineStartWeights kLineStartWeights;
+
+using CentrelineStartModel = LineStartModel<DecisionModel<10, 3, true>>;
+using DeepLineStartModel = LineStartModel<DeepDecisions<10, 3>>;
+extern template class LineStartModel<DecisionModel<10, 3, true>>;
+extern template class LineStartModel<DeepDecisions<10, 3>>;
 
 }  // namespace unstep::codec

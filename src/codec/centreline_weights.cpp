@@ -72,8 +72,7 @@ const std::array<CentrelineModel::Weights, 16>
      300, 300, 300, 300, 300, 300, 300, 300,
      300, 300, 300, 300, 300, 300, 300, 0},
 }};
-const std::array<CentrelineStartModel::Words::Weights, 2>
-    CentrelineStartModel::kInitialWeights{{
+const LineStartWeights kLineStartWeights{{
     {780, 368, -32, 24, 272, 6, 613, -430,
      386, -50, -1, 128, 432, 13, 838, 5,
      544, 129, 868, 319, 103, 0, 0, 0},

@@ -38,6 +38,11 @@ class DecisionModel {
     if constexpr (kRefined) refiners_.assign(2, entropy::Refiner(kSelectors));
   }
 
+  /// Bytes that the constructor allocates, without the mixer.
+  static constexpr std::uint64_t memory(int table_bits) {
+    return std::uint64_t{kContexts * sizeof(entropy::Counter)} << table_bits;
+  }
+
   void set_contexts(const Values& values) { values_ = values; }
 
   /// `selectors` are taken modulo kSelectors.

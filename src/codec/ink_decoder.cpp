@@ -14,8 +14,6 @@ namespace unstep::codec {
 namespace {
 
 constexpr CoderName kStored{kCoderStored, 0, 0};
-constexpr CoderName kCentrelines{kCoderCentrelines, kCentrelineRevision,
-                                 kCentrelineTable};
 
 bool is_contours(const CoderName& name) {
   return name.coder == kCoderContours && name.table == warm::kTableId &&
@@ -25,6 +23,11 @@ bool is_contours(const CoderName& name) {
 bool is_shapes(const CoderName& name) {
   return name.coder == kCoderShapes && name.table == warm::kTableId &&
          is_shape_revision(name.revision);
+}
+
+bool is_centrelines(const CoderName& name) {
+  return name.coder == kCoderCentrelines && name.table == kCentrelineTable &&
+         name.revision <= kCentrelinesDeep;
 }
 
 bool is_pixels(const CoderName& name) {
@@ -46,8 +49,9 @@ Status decode_ink(const CoderName& name, std::span<const std::uint8_t> payload,
     return decode_shapes(payload, ink, first_row, rows, name.revision, limits,
                          progress);
   }
-  if (name == kCentrelines) {
-    return decode_centrelines(payload, ink, first_row, rows, limits, progress);
+  if (is_centrelines(name)) {
+    return decode_centrelines(payload, ink, first_row, rows, name.revision,
+                              limits, progress);
   }
   if (is_pixels(name)) {
     return decode_pixels(payload, ink, first_row, rows, name.revision, limits,
@@ -63,8 +67,9 @@ Status verify_ink(const CoderName& name, std::span<const std::uint8_t> payload,
     return verify_contours(payload, ink, first_row, rows, name.revision, limits,
                            progress);
   }
-  if (name == kCentrelines) {
-    return verify_centrelines(payload, ink, first_row, rows, limits, progress);
+  if (is_centrelines(name)) {
+    return verify_centrelines(payload, ink, first_row, rows, name.revision,
+                              limits, progress);
   }
   Result<Bitmap> decoded = Bitmap::create(ink.width(), rows);
   if (!decoded) return decoded.error();

@@ -95,7 +95,8 @@ Rows sample_of(const Bitmap& ink, std::int32_t first_row, std::int32_t rows) {
 Result<bool> lines_pay(const Bitmap& ink, Rows sample, std::uint8_t revision) {
   constexpr std::size_t kPercent = 96;
   const Result<std::vector<std::uint8_t>> lines =
-      encode_centrelines(ink, sample.first, sample.count, {});
+      encode_centrelines(ink, sample.first, sample.count, kCentrelinesMixed,
+                         {});
   if (!lines) return lines.error();
   const Result<std::vector<std::uint8_t>> contours =
       encode_contours(ink, sample.first, sample.count, revision, {});
@@ -103,9 +104,9 @@ Result<bool> lines_pay(const Bitmap& ink, Rows sample, std::uint8_t revision) {
   return !lines->empty() && lines->size() * 100 < contours->size() * kPercent;
 }
 
-EncodedBlock as_lines(std::vector<std::uint8_t> payload) {
-  return {{kCoderCentrelines, kCentrelineRevision, kCentrelineTable},
-          std::move(payload)};
+EncodedBlock as_lines(std::uint8_t revision,
+                      std::vector<std::uint8_t> payload) {
+  return {{kCoderCentrelines, revision, kCentrelineTable}, std::move(payload)};
 }
 
 /// Lines or contours, what is smaller as far as that is known.
@@ -123,7 +124,7 @@ Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
     }
   }
   Result<std::vector<std::uint8_t>> lines =
-      encode_centrelines(ink, first_row, rows, progress);
+      encode_centrelines(ink, first_row, rows, kCentrelinesMixed, progress);
   if (!lines) return lines.error();
   if (sure || lines->empty()) {
     Result<EncodedBlock> contours =
@@ -133,7 +134,7 @@ Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
       return contours;
     }
   }
-  return as_lines(*std::move(lines));
+  return as_lines(kCentrelinesMixed, *std::move(lines));
 }
 
 /// With an empty payload if shapes repeat less than `least`.
@@ -179,10 +180,12 @@ Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
   }
   keep(encode_by_pixels(ink, first_row, rows, kPixelsDeep, progress));
   if (is_thin(ink, first_row, rows)) {
-    Result<std::vector<std::uint8_t>> lines =
-        encode_centrelines(ink, first_row, rows, progress);
-    if (!lines) return lines.error();
-    keep(as_lines(*std::move(lines)));
+    for (const std::uint8_t revision : {kCentrelinesMixed, kCentrelinesDeep}) {
+      Result<std::vector<std::uint8_t>> lines =
+          encode_centrelines(ink, first_row, rows, revision, progress);
+      if (!lines) return lines.error();
+      keep(as_lines(revision, *std::move(lines)));
+    }
   }
   return best;
 }

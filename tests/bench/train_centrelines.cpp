@@ -68,7 +68,7 @@ void learn(const char* file, Learned& learned) {
                 lines.mixer().weights(set, k), ages[k]);
           }
         }
-        const std::array mixers{&starts.words(), &starts.pixels()};
+        const std::array mixers{&starts.words().mixer(), &starts.pixels().mixer()};
         for (std::size_t which = 0; which < 2; ++which) {
           for (std::size_t set = 0; set < 3; ++set) {
             const auto ages = mixers[which]->ages(set);
@@ -113,9 +113,8 @@ bool write(const char* path, const Learned& learned) {
   write_vectors(file, learned.lines, CentrelineModel::kInitialWeights);
   std::fprintf(file,
                "}};\n"
-               "const std::array<CentrelineStartModel::Words::Weights, 2>\n"
-               "    CentrelineStartModel::kInitialWeights{{\n");
-  write_vectors(file, learned.starts, CentrelineStartModel::kInitialWeights);
+               "const LineStartWeights kLineStartWeights{{\n");
+  write_vectors(file, learned.starts, codec::kLineStartWeights);
   std::fprintf(file,
                "}};\n// clang-format on\n\n"
                "}  // namespace unstep::codec\n");

@@ -1,0 +1,95 @@
+#include "codec/deep_centreline_model.h"
+
+#include <algorithm>
+
+#include "codec/centreline_model.h"
+#include "codec/context.h"
+
+namespace unstep::codec {
+namespace {
+
+constexpr std::size_t kNears = 1024;
+
+}  // namespace
+
+const DeepCentrelineModel::Model::Choice DeepCentrelineModel::kSizes{
+    {2 * kVectors[0], 2 * kVectors[1], 2 * kVectors[2], 2 * kVectors[3],
+     2 * kVectors[4], kNears * kNodes, 1024 * kNodes},
+    {2 * kVectors[0], 2 * kVectors[1], kNears * kNodes},
+    8 * kNodes};
+
+/// Those of CentrelineModel for the contexts that it has.
+std::array<DeepCentrelineModel::Model::Weights, LineFollower<
+    DeepCentrelineModel>::kNodes> DeepCentrelineModel::first_weights() {
+  constexpr std::size_t kKnown = LineFollower::kContexts;
+  std::array<Model::Weights, kNodes> weights{};
+  for (std::size_t node = 0; node < kNodes; ++node) {
+    Model::Weights& to = weights[node];
+    const auto& from = CentrelineModel::kInitialWeights[node];
+    const auto scaled = [&](std::size_t i) {
+      return static_cast<std::int16_t>(from[i] * 4 / 5);
+    };
+    for (std::size_t i = 0; i < kAll; ++i) {
+      to[i] = i < kKnown ? scaled(i) : std::int16_t{5200 / kAll};
+      to[kAll + i] =
+          i < kKnown ? scaled(kKnown + 1 + i) : std::int16_t{2000 / kAll};
+      to[2 * kAll + i] = 1500 / kAll;
+    }
+    to[Model::kInputs - 1] = from[kKnown];
+  }
+  return weights;
+}
+
+DeepCentrelineModel::DeepCentrelineModel(const PixelPlanes& planes,
+                                         const VertexRulers& rulers,
+                                         int table_bits)
+    : LineFollower(planes, rulers),
+      model_(table_bits, kSizes, first_weights()) {}
+
+std::uint64_t DeepCentrelineModel::memory(int table_bits) {
+  // The match comes on top.
+  return Model::memory(table_bits, kSizes) + (std::uint64_t{1} << 20);
+}
+
+void DeepCentrelineModel::look(const Sight& sight) {
+  const Values known = contexts(sight);
+  std::copy(known.begin(), known.end(), values_.begin());
+  const auto history = [this](unsigned turns) { return track_.history(turns); };
+  const std::uint64_t base = sight.base;
+  const std::uint64_t run = track_.run(0, 255);
+  const std::array<std::uint64_t, kAll - LineFollower::kContexts> more{
+      mix(sight.all, mix(history(4), base)),
+      mix(history(20), base),
+      mix(sight.verdict,
+          mix(run << 8 | track_.run(1, 255), track_.bends() << 3 | base)),
+      mix(track_.chord(8), mix(track_.chord(60), base)),
+      mix(track_.chord(24), mix(track_.bulge(24) << 8 | run, base)),
+      mix(std::uint64_t{dss_.slope()} << 8 | dss_.remainder(),
+          mix(history(2), base)),
+      mix(sight.grid, mix(run << 3 | history(1), base)),
+      mix(sight.near, mix(sight.level << 3 | sight.guess, base))};
+  std::copy(more.begin(), more.end(), values_.begin() + known.size());
+
+  const std::size_t near =
+      static_cast<std::size_t>(sight.near * kGolden >> 54) * kNodes;
+  const Selectors first = selectors(sight);
+  std::copy(first.begin(), first.end(), choice_.vectors.begin());
+  choice_.vectors[5] = near;
+  choice_.vectors[6] = static_cast<std::size_t>(sight.verdict) * kNodes;
+  choice_.refined = {first[0], first[1], near};
+  choice_.last = std::min(sight.level, 7U) * kNodes;
+}
+
+void DeepCentrelineModel::ask(unsigned found) {
+  for (std::size_t i = 0; i < kAll; ++i) {
+    model_.ask_mixed(i, found == 0 ? values_[i] : mix(values_[i], found));
+  }
+  if (found == 0) return;
+  for (std::size_t s = 0; s < kVectors.size(); ++s) {
+    choice_.vectors[s] += kVectors[s];
+  }
+  choice_.refined[0] += kVectors[0];
+  choice_.refined[1] += kVectors[1];
+}
+
+}  // namespace unstep::codec

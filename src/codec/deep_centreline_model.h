@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "codec/deep_model.h"
+#include "codec/line_follower.h"
+
+namespace unstep::codec {
+
+/// Predicts which pixels around the head of a line are ink for the max effort:
+/// the contexts of CentrelineModel and eight more, in a DeepModel.
+class DeepCentrelineModel : public LineFollower<DeepCentrelineModel> {
+ public:
+  /// The planes and rulers must outlive the model; 2^table_bits slots per
+  /// context.
+  DeepCentrelineModel(const PixelPlanes& planes, const VertexRulers& rulers,
+                      int table_bits);
+
+  /// Bytes that the constructor allocates.
+  static std::uint64_t memory(int table_bits);
+
+ private:
+  friend LineFollower<DeepCentrelineModel>;
+  static constexpr std::size_t kAll = LineFollower::kContexts + 8;
+  static constexpr std::size_t kSets = 7;
+  using Model = DeepModel<kAll, 0, kSets, 3, kNodes>;
+  static const Model::Choice kSizes;
+  static std::array<Model::Weights, kNodes> first_weights();
+
+  void look(const Sight& sight);
+  void ask(unsigned found);
+  template <class Coder>
+  bool decide(Coder& coder, Node node, bool bit) {
+    return model_.code(coder, bit, choice_ + node, node);
+  }
+
+  Model model_;
+  Model::Choice choice_;
+  std::array<std::uint64_t, kAll> values_{};
+};
+
+}  // namespace unstep::codec
