@@ -64,8 +64,7 @@ void DeepCentrelineModel::look(const Sight& sight) {
           mix(run << 8 | track_.run(1, 255), track_.bends() << 3 | base)),
       mix(track_.chord(8), mix(track_.chord(60), base)),
       mix(track_.chord(24), mix(track_.bulge(24) << 8 | run, base)),
-      mix(std::uint64_t{dss_.slope()} << 8 | dss_.remainder(),
-          mix(history(2), base)),
+      mix(sight.verdict, mix(history(8), base)),
       mix(sight.grid, mix(run << 3 | history(1), base)),
       mix(sight.near, mix(sight.level << 3 | sight.guess, base))};
   std::copy(more.begin(), more.end(), values_.begin() + known.size());

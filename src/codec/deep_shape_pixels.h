@@ -52,12 +52,12 @@ class DeepShapePixels {
   static constexpr Told::Choice kToldSizes{
       {512, 128, 1024, 1024, 1024}, {512, 1024}, 32};
 
-  /// Where the colour changes first from x - 8 on, 0..31, and that colour.
+  /// Where the colour changes first from x - 8 on, 0..19, and that colour.
   static std::uint64_t edge(std::uint64_t window) {
     const std::uint64_t from = window << 24;
     const std::uint64_t ink = from >> 63;
     const std::uint64_t other = ink != 0 ? ~from : from;
-    return static_cast<std::uint64_t>(std::min(std::countl_zero(other), 31)) |
+    return static_cast<std::uint64_t>(std::min(std::countl_zero(other), 19)) |
            ink << 5;
   }
   /// How long the run before x is, 0..31, and its colour.

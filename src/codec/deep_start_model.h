@@ -114,7 +114,7 @@ class DeepStartModel : public StartModel {
   std::uint64_t colour_ = 0;
   int anchor_ = 0;
   unsigned kind_ = 0;  ///< of the anchor
-  /// Points within 4, 8 and 15 of a known crack.
+  /// Points within 4, 8 and 15 of a known crack, along columns plus rows.
   std::array<std::uint64_t, 3> near_{};
 };
 

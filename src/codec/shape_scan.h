@@ -253,7 +253,7 @@ class ShapeScan {
                             told_.x, told_.y) +
                1;
     }
-    sequence_.remember({now.klass, now.id, now.gap, now.rise, shape.x,
+    sequence_.remember({now.klass, now.gap, now.rise, shape.x,
                         shape.y + now.height, now.width, now.height,
                         shape.new_line});
     past_[2] = past_[1];

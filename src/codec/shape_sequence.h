@@ -18,7 +18,6 @@ struct ShapePen {
 /// A shape that has its place.
 struct ShapeFact {
   std::uint32_t klass = 0;  ///< and 1
-  std::uint32_t id = 0;     ///< and 1
   std::int32_t gap = 0;
   std::int32_t rise = 0;
   std::int32_t x = 0;

@@ -183,11 +183,14 @@ class Centrelines:
     """Order of pixels."""
 
     def __init__(self, coder, width, rows):
-        weights, of_starts = first_weights()
         self.coder, self.pixels = coder, Pixels(width, rows)
         self.columns, self.rows = Ruler(), Ruler()
-        self.lines = Lines(self.pixels, self.columns, self.rows, weights)
-        self.starts = Starts(self.pixels, self.columns, self.rows, of_starts)
+        self.make_models(self.pixels, self.columns, self.rows)
+
+    def make_models(self, *known):
+        weights, of_starts = first_weights()
+        self.lines = Lines(*known, weights)
+        self.starts = Starts(*known, of_starts)
 
     def run(self, image):
         told, width = self.pixels.told, self.pixels.width

@@ -12,6 +12,9 @@ import sys
 import zlib
 
 from centrelines import Centrelines
+from deep_lines import DeepCentrelines
+from deep_shapes import DeepShapes
+from deep_turns import DeepStartModel, DeepTurnModel
 from entropy import Damaged, Interval
 from rows import Rows
 from shapes import Shapes
@@ -57,8 +60,13 @@ class Scan:
         self.cracks = Cracks()
         size = width * rows
         table = Table("small" if size < 2000000 else "large")
+        words = (width + 63) // 64
         if revision == 2:
             self.turns = FastTurnModel(self.cracks)
+        elif revision == 4:
+            self.turns = DeepTurnModel(
+                self.cracks, 14 if size < 40000 else
+                16 if size < 2000000 else 18, table)
         else:
             small, middle, large, huge = (
                 (14, 16, 19, 19) if revision == 1 else (13, 15, 17, 15))
@@ -67,7 +75,8 @@ class Scan:
                           large if size <= 24000000 else huge)
             self.turns = TurnModel(self.cracks, table_bits, table,
                                    light=revision == 3)
-        self.starts = StartModel(self.cracks, table, (width + 63) // 64)
+        self.starts = (DeepStartModel if revision == 4 else StartModel)(
+            self.cracks, table, words)
         self.above = [0] * width
 
     def run(self, image):
@@ -204,26 +213,30 @@ def decode(data, trace=False):
         height, at = varint(data, at)
     if flags & 0x20:
         at = skip_details(data, at)
-    packed = 0x81
+    name = 1, 0, 1
     if not flags & 8:
         packed, at = data[at], at + 1
-    name = packed & 31, packed >> 5 & 3
-    named = packed in (3, 4, 36, 68) or packed > 127 and name in (
-        (1, 0), (1, 1), (1, 2), (2, 0), (2, 1))
-    if not named:
+        name = packed & 31, packed >> 5 & 3, packed >> 7
+        if name[1] == 3:
+            name, at = (name[0], data[at], data[at + 1]), at + 2
+    if name not in ((1, 0, 1), (1, 1, 1), (1, 2, 1), (1, 4, 1), (2, 0, 1),
+                    (2, 1, 1), (2, 2, 1), (3, 0, 0), (3, 1, 0), (4, 0, 0),
+                    (4, 1, 0), (4, 2, 0)):
         raise Damaged("another coder than 1 to 4")
     head, stored, payload = data[4:at], data[at:at + 4], data[at + 4:]
     coder = Interval(payload, trace)
     image = [[0] * width for _ in range(height)]
     if name[0] == 3:
-        Centrelines(coder, width, height).run(image)
+        (DeepCentrelines if name[1] else Centrelines)(
+            coder, width, height).run(image)
     elif name[0] == 4:
         Rows(coder, width, height, name[1]).run(image)
     else:
         contours = name[1]
         if name[0] == 2:
-            Shapes(coder, width, height).run(image)
-            contours = 1 if name[1] == 1 else 3
+            (DeepShapes if name[1] == 2 else Shapes)(
+                coder, width, height).run(image)
+            contours = (3, 1, 4)[name[1]]
         Scan(coder, width, height, contours).run(image)
     coder.check_end()
     pbm = b""

@@ -3,6 +3,8 @@ from entropy import K, M64, STRETCH, Mixer, Refiner, clamp, move, squash, top, u
 
 
 class Pixels:
+    RARE = 6000
+
     def __init__(self, coder, size):
         self.coder, self.b = coder, 14 if size < 1000000 else 16
         self.runs, self.gates = {}, {}
@@ -96,7 +98,8 @@ class Pixels:
             65536 + block + (corner << 9) if self.R else near, [32768, 0])
         likely = int(gate[0] >= 32768)
         rare = 65535 - gate[0] if likely else gate[0]
-        if gate[1] >= 24 and rare < 6000:
+        self.gate = gate
+        if gate[1] >= 24 and rare < self.RARE:
             bit = likely ^ self.coder.decode(rare + 4, "gate")
             update(gate, bit)
             if bit == likely:

@@ -66,7 +66,8 @@ class Segment:
 
 
 class Match:
-    def __init__(self):
+    def __init__(self, minimum=16):
+        self.minimum = minimum
         self.T, self.h, self.heads, self.m, self.n = [3], 0, {}, 0, 0
 
     def push(self, t):
@@ -76,7 +77,7 @@ class Match:
         T = self.T
         T.append(t)
         E = len(T)
-        self.h = (self.h * 4 + t) & 0xFFFFFFFF
+        self.h = (self.h * 4 + t) & (1 << 2 * self.minimum) - 1
         k = top(16, self.h * K)
         c = self.heads.get(k, 0)
         self.heads[k] = E
@@ -84,7 +85,7 @@ class Match:
             same = 0
             while same < min(32, c) and T[c - 1 - same] == T[E - 1 - same]:
                 same += 1
-            if same >= 16:
+            if same >= self.minimum:
                 self.n, self.m = same, c
 
     def level(self):

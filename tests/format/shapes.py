@@ -27,6 +27,12 @@ class Numbers:
         self.counters = [{} for _ in range(6)]
         self.mixer = Mixer((1024, 1024), ([1024] * 12 + [0] * 4,))
 
+    def begin(self, pen):
+        pass
+
+    def remember(self, *fact):
+        pass
+
     def decide(self, field, values, node):
         name = (field << 27) + node
         counters = [table.setdefault(top(16, mix(v + i, name) * K),
@@ -90,6 +96,8 @@ class Shapes:
 
     def one(self, image):
         numbers, (a, b, c) = self.numbers, self.last
+        numbers.begin((self.X, self.base, self.line_X, self.line_base,
+                       self.in_line))
         f = numbers.flag(NEW_LINE, (
             0, join(1, a.klass), join(2, a.klass, b.klass),
             join(3, self.in_line), join(4, clip(a.gap, 20), a.refers),
@@ -117,15 +125,19 @@ class Shapes:
             self.drops[C] if refers else 0)
         if x < 0 or bottom - h < 0 or x + w > self.width or bottom > self.rows:
             raise Damaged("a shape outside")
-        shape = self.shapes[R] if same else self.pixels.shape(
-            w, h, self.shapes[R] if refers else None, dx, dy)
+        shape = self.shapes[R] if same else self.draw(w, h, C, R, dx, dy)
         for j, row in enumerate(shape):
             for i, pixel in enumerate(row):
                 image[bottom - h + j][x + i] |= pixel
         self.remember(f, refers, same, C, shape, x, bottom)
         klass = (C if refers else len(self.classes) - 1) + 1
+        numbers.remember(klass, gap, rise, x, bottom, w, h, f)
         number = R + 1 if same else len(self.shapes)
         self.last = [Known(klass, number, gap, rise, w, h, refers, same), a, b]
+
+    def draw(self, w, h, C, R, dx, dy):
+        return self.pixels.shape(w, h, None if R is None else self.shapes[R],
+                                 dx, dy)
 
     def reference(self, f):
         numbers, (a, b, c) = self.numbers, self.last
@@ -146,6 +158,7 @@ class Shapes:
             join(0, a.same, b.same, c.same), join(1, C), join(2, R),
             join(3, a.same), join(4, len(self.shapes[R])), join(5, rank)))
         ids.insert(0, ids.pop(rank))
+        numbers.id = R + 1
         return C, R, same
 
     def sides_like(self, C, R, w, h):

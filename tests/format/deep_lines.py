@@ -1,0 +1,71 @@
+"""Section "Deep centrelines" of docs/format.md."""
+from centreline_starts import Starts
+from centrelines import Centrelines, Lines, first_weights
+from deep import Deep
+from entropy import K, M64
+from turns import mix
+
+
+class DeepLines(Lines):
+    def __init__(self, pixels, columns, rows, weights):
+        super().__init__(pixels, columns, rows, weights)
+        vectors = []
+        for w in weights[:8]:
+            def part(first, other):
+                return [int(w[first + i] * 4 / 5) if i < 15 else other
+                        for i in range(23)]
+            vectors.append(part(0, 226) + part(16, 86) + [65] * 23 + [w[15]])
+        self.deep = Deep(23, 0, self.T + 1, 3, vectors)
+
+    def look(self, start):
+        super().look(start)
+        x, y = self.head()
+        h, run = self.last, [min(r, 255) for r in self.run]
+        base = self.d % 2 + 2 * min(len(self.trail) - 1, 3)
+        all_, near, _ = self.pixels.patch(x, y, self.d // 2)
+        grid = (64 * self.columns.level(x, self.pixels.width)
+                + self.rows.level(y, y + 1))
+        verdict = self.segment.verdict(self.d)
+        level, guess = self.match.level(), self.match.guess()
+        bends = sum(b << 3 * i for i, b in enumerate(self.bend))
+        self.values += [
+            mix(all_, mix(h(4), base)), mix(h(20), base),
+            mix(verdict, mix(run[0] << 8 | run[1], bends << 3 | base)),
+            mix(self.chord(8), mix(self.chord(60), base)),
+            mix(self.chord(24), mix(self.bulge(24) << 8 | run[0], base)),
+            mix(verdict, mix(h(8), base)),
+            mix(grid, mix(run[0] << 3 | h(1), base)),
+            mix(near, mix(8 * level + guess, base))]
+        self.near = 8 * ((near * K & M64) >> 54)
+        self.chosen += [self.near, 8 * verdict]
+        self.level = level
+
+    def ask(self, first):
+        self.deep.ask_mixed([mix(v, first) if first else v
+                             for v in self.values])
+        self.more = first != 0
+
+    def decide(self, coder, node):
+        chosen = [c + node + s * self.more for c, s in
+                  zip(self.chosen, self.SIZES + (0, 0))]
+        return self.deep.decode(coder, [], chosen,
+                                [*chosen[:2], self.near + node],
+                                8 * self.level + node, node)
+
+
+class DeepDecisions:
+    def __init__(self, weights):
+        self.deep = Deep(10, 0, 14, 2, [
+            weights[0:20:2] + weights[1:20:2] + [0] * 10 + [weights[20]]])
+
+    def decode(self, coder, values, node, selectors):
+        self.deep.ask_mixed([mix(v, node) for v in values])
+        return self.deep.decode(coder, [], selectors, selectors[:2], 0)
+
+
+class DeepCentrelines(Centrelines):
+    def make_models(self, *known):
+        weights, of_starts = first_weights()
+        self.lines = DeepLines(*known, weights)
+        self.starts = Starts(*known, of_starts)
+        self.starts.any, self.starts.one = map(DeepDecisions, of_starts)
