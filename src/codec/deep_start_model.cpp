@@ -133,7 +133,7 @@ void DeepStartModel::look_at_word(std::uint64_t mask, std::int32_t word,
   const auto& slow = past_->words[1];
   const auto& slowest = past_->words[2];
   const std::uint64_t since = std::min<std::uint64_t>(
-      std::bit_width(static_cast<unsigned>(gap) / 32), 7);
+      std::bit_width(static_cast<unsigned>(std::max(gap, 0)) / 32), 7);
 
   std::size_t i = 0;
   const auto ask = [&](std::uint64_t a, std::uint64_t b = 0) {

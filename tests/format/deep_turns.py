@@ -185,7 +185,7 @@ class DeepStartModel(StartModel):
         quick, slow, slowest = ([d[word + i] for i in range(3)]
                                 for d in past.words)
         wide = [d[1] + (d[0] + d[2]) // 2 for d in (quick, slow, slowest)]
-        since = min(7, (self.gap // 32).bit_length())
+        since = min(7, (max(self.gap, 0) // 32).bit_length())
         pairs = [(size | row << 3 | young << 5, 0), (all_ages, size),
                  (fine(wide[0]), fine(wide[1])),
                  (fine(slow[1]), fine(slowest[1]) | size << 5),
