@@ -27,6 +27,15 @@ class DeepStartModel : public StartModel {
 
   void begin_row(std::int32_t y);
 
+  /// Quiet spans save time, not bytes: none.
+  template <class Coder, class AnyStart>
+  static std::int32_t code_quiet_span(
+      Coder& /*coder*/, std::int32_t /*word*/,
+      const std::vector<std::uint64_t>& /*above*/,
+      const AnyStart& /*any_start*/) {
+    return 0;
+  }
+
   /// As of StartModel.
   template <class Coder>
   std::uint64_t code_open(Coder& coder, std::uint64_t mask, std::int32_t word,

@@ -77,6 +77,7 @@ class Scan:
                                    light=revision == 3)
         self.starts = (DeepStartModel if revision == 4 else StartModel)(
             self.cracks, table, words)
+        self.spans = revision != 4  # the deep model knows none
         self.above = [0] * width
 
     def run(self, image):
@@ -84,7 +85,7 @@ class Scan:
             self.starts.begin_row(y)
             first = 0
             while first < self.width:
-                if (self.is_quiet_span(y, first) and
+                if (self.spans and self.is_quiet_span(y, first) and
                         not self.starts.quiet_start(self.coder, first // 64,
                                                     self.above[first])):
                     first += 256

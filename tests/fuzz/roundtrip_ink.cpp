@@ -53,22 +53,23 @@ void round_trip(const Bitmap& ink, std::uint8_t choice) {
 }
 
 /// Coder 3 as well, which the writer takes for thin lines only.
-void round_trip_centrelines(const Bitmap& ink) {
-  const auto payload = codec::encode_centrelines(ink, 0, ink.height(), {});
+void round_trip_centrelines(const Bitmap& ink, std::uint8_t revision) {
+  const auto payload =
+      codec::encode_centrelines(ink, 0, ink.height(), revision, {});
   require(static_cast<bool>(payload), "any ink can be coded as centrelines");
   require(static_cast<bool>(codec::verify_centrelines(
-              *payload, ink, 0, ink.height(), limits(), {})),
+              *payload, ink, 0, ink.height(), revision, limits(), {})),
           "centrelines come back");
 }
 
-/// And contours under the light model, whatever shapes there are.
-void round_trip_light(const Bitmap& ink) {
+/// And contours under a model that is taken beside shapes, or if smallest.
+void round_trip_contours(const Bitmap& ink, std::uint8_t revision) {
   const auto payload =
-      codec::encode_contours(ink, 0, ink.height(), codec::kContourLight, {});
+      codec::encode_contours(ink, 0, ink.height(), revision, {});
   require(static_cast<bool>(payload), "any ink can be coded as contours");
   require(
       static_cast<bool>(codec::verify_contours(
-          *payload, ink, 0, ink.height(), codec::kContourLight, limits(), {})),
+          *payload, ink, 0, ink.height(), revision, limits(), {})),
       "contours come back");
 }
 
@@ -93,8 +94,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   const unstep::Bitmap ink =
       unstep::fuzz::ink_of(input[0] + 1, input.subspan(2));
   unstep::fuzz::round_trip(ink, input[1]);
-  unstep::fuzz::round_trip_centrelines(ink);
-  unstep::fuzz::round_trip_light(ink);
+  namespace codec = unstep::codec;
+  const bool deep = (input[1] & 1) != 0;
+  unstep::fuzz::round_trip_centrelines(
+      ink, deep ? codec::kCentrelinesDeep : codec::kCentrelinesMixed);
+  unstep::fuzz::round_trip_contours(
+      ink, deep ? codec::kContourDeep : codec::kContourLight);
   unstep::fuzz::round_trip_pixels(ink, input[1] % 3);
   return 0;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "codec/centreline_coder.h"
 #include "codec/container_decoder.h"
 #include "codec/contour_coder.h"
 #include "codec/metadata_words.h"
@@ -281,9 +282,20 @@ TEST(Golden, EveryBuildMakesTheSamePayloadsOfMax) {
     return codec::encode_contours(ink, 0, ink.height(), codec::kContourMax, {});
   });
   expect_payload("shapes_text_max", [](const Bitmap& ink) {
-    return codec::encode_shapes(ink, 0, ink.height(),
-                                codec::shape_revision(Effort::max),
+    return codec::encode_shapes(ink, 0, ink.height(), codec::kShapesFull,
                                 codec::kShapesPay, {});
+  });
+  expect_payload("contours_rings_deep", [](const Bitmap& ink) {
+    return codec::encode_contours(ink, 0, ink.height(), codec::kContourDeep,
+                                  {});
+  });
+  expect_payload("shapes_text_deep", [](const Bitmap& ink) {
+    return codec::encode_shapes(ink, 0, ink.height(), codec::kShapesDeep,
+                                codec::kShapesPay, {});
+  });
+  expect_payload("centrelines_map_deep", [](const Bitmap& ink) {
+    return codec::encode_centrelines(ink, 0, ink.height(),
+                                     codec::kCentrelinesDeep, {});
   });
 }
 

@@ -22,16 +22,18 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr DecodeLimits kLimits{};
 
-/// Whether coder 3 brings back those rows, and no others.
-Bytes expect_round_trip(const Bitmap& ink, std::int32_t first,
-                        std::int32_t rows) {
-  const Result<Bytes> payload = encode_centrelines(ink, first, rows, {});
+/// Whether a revision of coder 3 brings back those rows, and no others.
+Bytes expect_round_trip_by(std::uint8_t revision, const Bitmap& ink,
+                           std::int32_t first, std::int32_t rows) {
+  const Result<Bytes> payload =
+      encode_centrelines(ink, first, rows, revision, {});
   EXPECT_TRUE(payload);
   Bitmap decoded = *Bitmap::create(ink.width(), ink.height());
   const Status done =
-      decode_centrelines(*payload, decoded, first, rows, kLimits, {});
+      decode_centrelines(*payload, decoded, first, rows, revision, kLimits, {});
   EXPECT_TRUE(done) << done.error().message;
-  EXPECT_TRUE(verify_centrelines(*payload, ink, first, rows, kLimits, {}));
+  EXPECT_TRUE(
+      verify_centrelines(*payload, ink, first, rows, revision, kLimits, {}));
   for (std::int32_t y = 0; y < ink.height(); ++y) {
     for (std::int32_t x = 0; x < ink.width(); ++x) {
       const bool inside = y >= first && y < first + rows;
@@ -42,6 +44,13 @@ Bytes expect_round_trip(const Bitmap& ink, std::int32_t first,
     }
   }
   return *payload;
+}
+
+/// Both do; returns what the first one made.
+Bytes expect_round_trip(const Bitmap& ink, std::int32_t first,
+                        std::int32_t rows) {
+  expect_round_trip_by(kCentrelinesDeep, ink, first, rows);
+  return expect_round_trip_by(kCentrelinesMixed, ink, first, rows);
 }
 
 void draw(Bitmap& ink, Point a, Point b) {
@@ -154,29 +163,38 @@ TEST(Centrelines, AreNotPickedWhereContoursAreSmaller) {
 
 TEST(Centrelines, DamagedPayloadsAreRefusedOrSomethingElse) {
   const Bitmap ink = thin_drawing(150, 120, 12);
-  const Bytes payload = expect_round_trip(ink, 0, 120);
-  std::size_t refused = 0;
-  for (std::size_t i = 0; i < payload.size(); i += 3) {
-    Bytes damaged = payload;
-    damaged[i] ^= static_cast<std::uint8_t>(1U << i % 8);
-    Bitmap decoded = *Bitmap::create(150, 120);
-    if (!decode_centrelines(damaged, decoded, 0, 120, kLimits, {})) ++refused;
-    EXPECT_FALSE(verify_centrelines(damaged, ink, 0, 120, kLimits, {}));
-  }
-  EXPECT_GT(refused, payload.size() / 4);
-  for (std::size_t size = 0; size < payload.size(); size += 5) {
-    EXPECT_FALSE(
-        verify_centrelines({payload.data(), size}, ink, 0, 120, kLimits, {}));
+  for (const std::uint8_t revision : {kCentrelinesMixed, kCentrelinesDeep}) {
+    const Bytes payload = expect_round_trip_by(revision, ink, 0, 120);
+    std::size_t refused = 0;
+    for (std::size_t i = 0; i < payload.size(); i += 3) {
+      Bytes damaged = payload;
+      damaged[i] ^= static_cast<std::uint8_t>(1U << i % 8);
+      Bitmap decoded = *Bitmap::create(150, 120);
+      if (!decode_centrelines(damaged, decoded, 0, 120, revision, kLimits,
+                              {})) {
+        ++refused;
+      }
+      EXPECT_FALSE(
+          verify_centrelines(damaged, ink, 0, 120, revision, kLimits, {}));
+    }
+    EXPECT_GT(refused, payload.size() / 4);
+    for (std::size_t size = 0; size < payload.size(); size += 5) {
+      EXPECT_FALSE(verify_centrelines({payload.data(), size}, ink, 0, 120,
+                                      revision, kLimits, {}));
+    }
   }
 }
 
 TEST(Centrelines, KeepToTheMemoryLimit) {
-  DecodeLimits limits;
-  limits.max_memory = centreline_memory(100, 100) - 1;
-  Bitmap decoded = *Bitmap::create(100, 100);
-  const Status done = decode_centrelines({}, decoded, 0, 100, limits, {});
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, ErrorCode::limit_exceeded);
+  for (const std::uint8_t revision : {kCentrelinesMixed, kCentrelinesDeep}) {
+    DecodeLimits limits;
+    limits.max_memory = centreline_memory(revision, 100, 100) - 1;
+    Bitmap decoded = *Bitmap::create(100, 100);
+    const Status done =
+        decode_centrelines({}, decoded, 0, 100, revision, limits, {});
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, ErrorCode::limit_exceeded);
+  }
 }
 
 TEST(Centrelines, GiveUpWhereTooManyBranchesWait) {
@@ -191,7 +209,7 @@ TEST(Centrelines, GiveUpWhereTooManyBranchesWait) {
     return ink;
   };
   EXPECT_FALSE(expect_round_trip(field(200), 0, 200).empty());
-  const Result<Bytes> none = encode_centrelines(field(700), 0, 700, {});
+  const Result<Bytes> none = encode_centrelines(field(700), 0, 700, kCentrelinesMixed, {});
   ASSERT_TRUE(none);
   EXPECT_TRUE(none->empty());
 }
@@ -204,7 +222,7 @@ TEST(Centrelines, TellProgressAndCanBeCancelled) {
     last = done;
     return done < 100;
   };
-  const Result<Bytes> payload = encode_centrelines(ink, 0, 200, count);
+  const Result<Bytes> payload = encode_centrelines(ink, 0, 200, kCentrelinesMixed, count);
   ASSERT_FALSE(payload);
   EXPECT_EQ(payload.error().code, ErrorCode::cancelled);
   EXPECT_EQ(last, 128U);

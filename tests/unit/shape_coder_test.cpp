@@ -20,15 +20,17 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr DecodeLimits kLimits{};
 
-/// Whether coder 2 brings back those rows, whatever the estimate says of it.
-Bytes expect_round_trip(const Bitmap& ink, std::int32_t first,
-                        std::int32_t rows) {
+/// Whether a revision of coder 2 brings back those rows, whatever the estimate
+/// says of it.
+Bytes expect_round_trip_by(std::uint8_t revision, const Bitmap& ink,
+                           std::int32_t first, std::int32_t rows) {
   const auto shapes = match_shapes(ink, first, rows);
-  const Result<Bytes> payload = encode_shapes(ink, first, rows, 0, shapes, {});
+  const Result<Bytes> payload =
+      encode_shapes(ink, first, rows, revision, shapes, {});
   EXPECT_TRUE(payload);
   Bitmap decoded = *Bitmap::create(ink.width(), ink.height());
   const Status done =
-      decode_shapes(*payload, decoded, first, rows, 0, kLimits, {});
+      decode_shapes(*payload, decoded, first, rows, revision, kLimits, {});
   EXPECT_TRUE(done) << done.error().message;
   for (std::int32_t y = 0; y < ink.height(); ++y) {
     for (std::int32_t x = 0; x < ink.width(); ++x) {
@@ -40,6 +42,14 @@ Bytes expect_round_trip(const Bitmap& ink, std::int32_t first,
     }
   }
   return *payload;
+}
+
+/// All do; returns what the standard one made.
+Bytes expect_round_trip(const Bitmap& ink, std::int32_t first,
+                        std::int32_t rows) {
+  expect_round_trip_by(kShapesFull, ink, first, rows);
+  expect_round_trip_by(kShapesDeep, ink, first, rows);
+  return expect_round_trip_by(kShapesLight, ink, first, rows);
 }
 
 void expect_round_trip(const Bitmap& ink) {
