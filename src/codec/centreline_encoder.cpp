@@ -64,10 +64,9 @@ Result<std::vector<std::uint8_t>> encode_centrelines(
   EncoderSide side(coder, ink, first_row);
   const std::int32_t width = ink.width();
   const int bits = centreline_table_bits(revision, width, rows);
-  const Status status =
-      revision == kCentrelinesDeep
-          ? DeepScan(side, width, rows, bits).run(progress)
-          : MixedScan(side, width, rows, bits).run(progress);
+  const Status status = revision == kCentrelinesDeep
+                            ? DeepScan(side, width, rows, bits).run(progress)
+                            : MixedScan(side, width, rows, bits).run(progress);
   if (status) return coder.finish();
   if (status.error().code == ErrorCode::corrupt) {
     return std::vector<std::uint8_t>{};  // too many branches wait

@@ -35,7 +35,7 @@ std::uint64_t near_ink(const PixelPlanes& planes, std::int32_t y,
 
 template <class Decisions>
 LineStartModel<Decisions>::LineStartModel(const PixelPlanes& planes,
-                                           const VertexRulers& rulers)
+                                          const VertexRulers& rulers)
     : planes_(planes),
       rulers_(rulers),
       starts_(planes.width(), 1),
@@ -66,7 +66,7 @@ void LineStartModel<Decisions>::begin_row(std::int32_t y) {
 
 template <class Decisions>
 entropy::Counter& LineStartModel<Decisions>::look_at_word(std::uint64_t mask,
-                                                     std::int32_t word) {
+                                                          std::int32_t word) {
   const Density* at = &density_[static_cast<std::size_t>(word)];
   const auto octave = [](std::uint64_t pixels) {
     return static_cast<unsigned>(
@@ -106,7 +106,8 @@ void LineStartModel<Decisions>::set_word_contexts(std::int32_t word) {
 }
 
 template <class Decisions>
-void LineStartModel<Decisions>::look_at_pixel(std::int32_t x, std::uint64_t rest) {
+void LineStartModel<Decisions>::look_at_pixel(std::int32_t x,
+                                              std::uint64_t rest) {
   const Density& density = density_[static_cast<std::size_t>(x / 64) + 1];
   const auto left = static_cast<unsigned>(ones(rest));
   const PixelPatch patch = pixel_patch::at(planes_, planes_.at(x, y_), 0);

@@ -106,8 +106,7 @@ class LineStartModel {
 };
 
 /// What the mixers start with, 12 fractional bits: words, then pixels.
-using LineStartWeights =
-    std::array<DecisionModel<10, 3, true>::Weights, 2>;
+using LineStartWeights = std::array<DecisionModel<10, 3, true>::Weights, 2>;
 extern const LineStartWeights kLineStartWeights;
 
 using CentrelineStartModel = LineStartModel<DecisionModel<10, 3, true>>;

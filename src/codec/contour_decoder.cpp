@@ -16,7 +16,7 @@ std::uint64_t contour_memory(std::uint8_t revision, std::int32_t width,
       : revision == kContourLight ? LightTurnModel::memory(bits)
       : revision == kContourDeep
           ? DeepTurnModel::memory(bits) + DeepStartModel::memory(width)
-                                  : TurnModel::memory(bits);
+          : TurnModel::memory(bits);
   return CrackMap::memory(width, rows) + model + (1 << 20);
 }
 

@@ -14,13 +14,14 @@ constexpr std::size_t kNears = 1024;
 
 const DeepCentrelineModel::Model::Choice DeepCentrelineModel::kSizes{
     {2 * kVectors[0], 2 * kVectors[1], 2 * kVectors[2], 2 * kVectors[3],
-     2 * kVectors[4], kNears * kNodes, 1024 * kNodes},
-    {2 * kVectors[0], 2 * kVectors[1], kNears * kNodes},
+     2 * kVectors[4], kNears* kNodes, 1024 * kNodes},
+    {2 * kVectors[0], 2 * kVectors[1], kNears* kNodes},
     8 * kNodes};
 
 /// Those of CentrelineModel for the contexts that it has.
-std::array<DeepCentrelineModel::Model::Weights, LineFollower<
-    DeepCentrelineModel>::kNodes> DeepCentrelineModel::first_weights() {
+std::array<DeepCentrelineModel::Model::Weights,
+           LineFollower<DeepCentrelineModel>::kNodes>
+DeepCentrelineModel::first_weights() {
   constexpr std::size_t kKnown = LineFollower::kContexts;
   std::array<Model::Weights, kNodes> weights{};
   for (std::size_t node = 0; node < kNodes; ++node) {

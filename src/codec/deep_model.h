@@ -49,8 +49,8 @@ inline constexpr auto kDeepLevels = make_deep_levels();
 /// slot with, for each of kNodes kinds of decision, a probability with its age
 /// and the last seven outcomes. It says three things: its probability, how far
 /// that is from one half weighed by age, and what came in this context after
-/// the same outcomes at a like age. They are mixed by kSets sets of weights, and
-/// these by a last one; kRefiners refiners correct the result. kExtras more
+/// the same outcomes at a like age. They are mixed by kSets sets of weights,
+/// and these by a last one; kRefiners refiners correct the result. kExtras more
 /// inputs are the owner's.
 ///
 /// Per decision: ask() for every context (once for the decisions of a symbol),
@@ -165,8 +165,8 @@ class DeepModel {
       const std::uint32_t age = state & kMostAge;
       const auto p = static_cast<std::int32_t>(state >> 10);
       const std::int64_t way = (bit ? kCertain : 0) - p;
-      const auto moved = static_cast<std::int32_t>(
-          p + (way * detail::kDeepRates[age] >> 16));
+      const auto moved =
+          static_cast<std::int32_t>(p + (way * detail::kDeepRates[age] >> 16));
       state = static_cast<std::uint32_t>(std::clamp(moved, 32, kCertain - 31))
                   << 10 |
               std::min(age + 1, kMostAge);

@@ -78,16 +78,14 @@ class DeepShapePixels {
     const std::uint64_t r5 = order.above(5, x);
     const std::uint64_t r6 = order.above(6, x);
     const std::uint64_t place = order.place(x);
-    const std::uint64_t three = cut(n.r1, 1, 1) | cut(n.r2, 1, 1) << 3 |
-                                cut(r3, 1, 1) << 6;
+    const std::uint64_t three =
+        cut(n.r1, 1, 1) | cut(n.r2, 1, 1) << 3 | cut(r3, 1, 1) << 6;
     const std::uint64_t close = before(n.r0, 6) | cut(n.r1, 4, 4) << 6 |
                                 cut(n.r2, 3, 3) << 15 | cut(r3, 2, 2) << 22;
     const std::uint64_t edges = edge(n.r1) | edge(n.r2) << 6;
 
     std::size_t i = 0;
-    const auto ask = [&](std::uint64_t value) {
-      free_.ask_mixed(i++, value);
-    };
+    const auto ask = [&](std::uint64_t value) { free_.ask_mixed(i++, value); };
     ask(close);
     ask(before(n.r0, 8) | cut(n.r1, 6, 6) << 8 | cut(n.r2, 5, 5) << 21 |
         cut(r3, 4, 4) << 32 | cut(r4, 2, 2) << 41);
@@ -104,8 +102,8 @@ class DeepShapePixels {
         cut(r3, 1, 1) << 19);
     ask(cut(n.r1, 3, 3) | cut(n.r2, 3, 3) << 7 | cut(r3, 3, 3) << 14 |
         cut(r4, 3, 3) << 21 | cut(r5, 3, 3) << 28 | cut(r6, 3, 3) << 35);
-    ask(three | cut(r4, 1, 1) << 9 | cut(r5, 1, 1) << 12 |
-        cut(r6, 1, 1) << 15 | (n.corner & 3) << 18);
+    ask(three | cut(r4, 1, 1) << 9 | cut(r5, 1, 1) << 12 | cut(r6, 1, 1) << 15 |
+        (n.corner & 3) << 18);
     ask(mix(close, place & 1023));
     ask(n.corner | place << 5);
     ask(n.near);
@@ -135,10 +133,10 @@ class DeepShapePixels {
     const std::uint64_t r6 = order.above(6, x);
     const std::uint64_t mid = row(0);
     const std::uint64_t here = mid >> 31 & 1;
-    const std::uint64_t seven =
-        mix(cut(row(-2), 3, 3) | cut(row(-1), 3, 3) << 7 | cut(mid, 3, 3) << 14 |
-                cut(row(1), 3, 3) << 21 | cut(row(2), 3, 3) << 28,
-            cut(row(-3), 2, 2) | cut(row(3), 2, 2) << 5);
+    const std::uint64_t seven = mix(
+        cut(row(-2), 3, 3) | cut(row(-1), 3, 3) << 7 | cut(mid, 3, 3) << 14 |
+            cut(row(1), 3, 3) << 21 | cut(row(2), 3, 3) << 28,
+        cut(row(-3), 2, 2) | cut(row(3), 2, 2) << 5);
     const std::uint64_t close = before(n.r0, 6) | cut(n.r1, 4, 4) << 6 |
                                 cut(n.r2, 3, 3) << 15 | cut(r3, 2, 2) << 22;
     // Where the shape differed from its reference.
@@ -148,19 +146,17 @@ class DeepShapePixels {
     const std::uint64_t differed =
         before(d0, 3) | cut(d1, 1, 1) << 3 | cut(d2, 1, 1) << 6 | here << 9;
     // The place in the class.
-    const std::uint64_t at = mix(
-        reference.klass, static_cast<std::uint64_t>(x + reference.x) << 32 ^
-                             static_cast<std::uint64_t>(order.y() +
-                                                        reference.y));
+    const std::uint64_t at =
+        mix(reference.klass,
+            static_cast<std::uint64_t>(x + reference.x) << 32 ^
+                static_cast<std::uint64_t>(order.y() + reference.y));
     const std::array<std::uint64_t, 2> others{
         block_of(reference.others[0], x, order.y()),
         block_of(reference.others[1], x, order.y())};
     const std::uint64_t both = cross(others[0]) | cross(others[1]) << 6;
 
     std::size_t i = 0;
-    const auto ask = [&](std::uint64_t value) {
-      told_.ask_mixed(i++, value);
-    };
+    const auto ask = [&](std::uint64_t value) { told_.ask_mixed(i++, value); };
     ask(n.block | order.place(x) << 9);
     ask(close);
     ask(before(n.r0, 8) | cut(n.r1, 6, 6) << 8 | cut(n.r2, 5, 5) << 21 |
@@ -175,8 +171,7 @@ class DeepShapePixels {
     ask(mix(seven, n.near));
     ask(mix(n.block, before(d0, 6) | cut(d1, 4, 4) << 6 | cut(d2, 3, 3) << 15 |
                          cut(r3 ^ row(-3), 2, 2) << 22));
-    ask(mix(n.block,
-            before(d0, 3) | cut(d1, 2, 2) << 3 | cut(d2, 1, 1) << 8));
+    ask(mix(n.block, before(d0, 3) | cut(d1, 2, 2) << 3 | cut(d2, 1, 1) << 8));
     ask(at);
     ask(mix(at, n.block));
     ask(mix(at, here | (n.corner & 3) << 1));

@@ -120,9 +120,9 @@ std::uint64_t DeepShapeSequence::foretold(Field field,
   if (match.length == 0) return 0;
   const ShapeFact& next = fact(match.at);
   const std::uint64_t same = next.klass == klass_ ? 1 : 0;
-  const std::uint64_t value = field == kClass     ? next.klass
-                              : field == kGap     ? mix(bits_of(next.gap), same)
-                              : field == kRise    ? mix(bits_of(next.rise), same)
+  const std::uint64_t value = field == kClass  ? next.klass
+                              : field == kGap  ? mix(bits_of(next.gap), same)
+                              : field == kRise ? mix(bits_of(next.rise), same)
                               : field == kNewLine ? (next.new_line ? 1U : 0U)
                               : field == kRefers  ? next.klass
                                                   : bits_of(next.width);
@@ -152,8 +152,9 @@ DeepShapeSequence::More DeepShapeSequence::more_of_rise() const {
   const ShapeFact& a = last(0);
   const ShapeFact& b = last(1);
   const std::int32_t base = kind_ == 1 ? pen_.line_base : pen_.base;
-  const std::uint64_t step =
-      above_[0] == 0 ? bits_of(kNoShape) : bits_of(fact(above_[0]).bottom - base);
+  const std::uint64_t step = above_[0] == 0
+                                 ? bits_of(kNoShape)
+                                 : bits_of(fact(above_[0]).bottom - base);
   return {bits_of(pen_.base),
           mix(bits_of(pen_.line_base), bits_of(gap_)),
           mix(klass_, bits_of(gap_)),
@@ -172,8 +173,7 @@ DeepShapeSequence::More DeepShapeSequence::more_of_others(Field field) const {
   const ShapeFact& c = last(2);
   const ShapeFact& over = fact(above_[0]);
   const std::int32_t from = kind_ == 1 ? pen_.line_x : pen_.x;
-  const std::uint64_t step =
-      bits_of(above_[0] == 0 ? kNoShape : over.x - from);
+  const std::uint64_t step = bits_of(above_[0] == 0 ? kNoShape : over.x - from);
   const std::uint64_t klass = field == kClass || field == kSide ? 0 : klass_;
   More values{mix(a.klass, mix(b.klass, c.klass)),
               mix(mix(a.klass, b.klass), mix(c.klass, last(3).klass)),

@@ -85,7 +85,7 @@ class DeepShapeSequence
   std::uint32_t count_ = 0;
   std::array<Match, 2> matches_;
   std::vector<std::uint32_t> columns_;  ///< the last shape that began there
-  std::uint64_t word_ = 0;       ///< classes since the last wide gap
+  std::uint64_t word_ = 0;              ///< classes since the last wide gap
   std::uint64_t last_word_ = 0;
   std::uint32_t line_class_ = 0;  ///< of the first shape on the line
 

@@ -13,8 +13,7 @@ std::uint64_t fine_level(std::uint64_t density) {
   density >>= 3;
   const auto octave = static_cast<std::uint64_t>(std::bit_width(density));
   if (octave < 2) return octave;
-  return std::min(2 * octave - 2 +
-                      (density >> (octave - 2) & 1),
+  return std::min(2 * octave - 2 + (density >> (octave - 2) & 1),
                   std::uint64_t{20});
 }
 
@@ -177,8 +176,9 @@ unsigned DeepStartModel::nearness(std::uint64_t points) const {
   unsigned near = 0;
   for (const std::uint64_t within : near_) {
     const int count = std::popcount(points & within);
-    near = near * 3 +
-           (count == 0 ? 0 : 2 * count <= std::popcount(points) ? 1 : 2);
+    near = near * 3 + (count == 0                           ? 0
+                       : 2 * count <= std::popcount(points) ? 1
+                                                            : 2);
   }
   return near;
 }
@@ -217,9 +217,9 @@ void DeepStartModel::look_at_halves(std::uint64_t before, std::uint64_t after,
   places_.set_extra(0, share(later, few + later));
   places_.set_extra(1, share(dense_after + 8 * later,
                              dense_before + dense_after + 8 * (few + later)));
-  place_choice_.vectors = {half | colour_ << 6, near,
-                           dense * 8 +
-                               static_cast<std::size_t>(std::countr_zero(half))};
+  place_choice_.vectors = {
+      half | colour_ << 6, near,
+      dense * 8 + static_cast<std::size_t>(std::countr_zero(half))};
   place_choice_.refined = {place_choice_.vectors[0]};
   place_choice_.last = colour_;
 }

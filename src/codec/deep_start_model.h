@@ -87,9 +87,9 @@ class DeepStartModel : public StartModel {
     std::array<std::vector<std::uint32_t>, kRates> words;
     std::vector<std::uint32_t> bytes;
     std::vector<Last> last;
-    unsigned row = 0;         ///< in this row
-    std::uint64_t rows = 0;   ///< in the rows before, 8 bits each
-    std::int32_t x = -128;    ///< of the last one in this row
+    unsigned row = 0;        ///< in this row
+    std::uint64_t rows = 0;  ///< in the rows before, 8 bits each
+    std::int32_t x = -128;   ///< of the last one in this row
   };
 
   void look_at_word(std::uint64_t mask, std::int32_t word, bool ink);
@@ -98,8 +98,8 @@ class DeepStartModel : public StartModel {
   void count(std::uint64_t bit);
   void look_at_cracks(std::int32_t word);
   [[nodiscard]] unsigned age(const Last& last) const {
-    return std::min(static_cast<unsigned>(std::bit_width(
-                        static_cast<unsigned>(y_ - last.y) / 2)),
+    return std::min(static_cast<unsigned>(
+                        std::bit_width(static_cast<unsigned>(y_ - last.y) / 2)),
                     7U);
   }
   [[nodiscard]] std::uint64_t wide(std::size_t rate) const {

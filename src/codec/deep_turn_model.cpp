@@ -69,8 +69,7 @@ DeepTurnModel::DeepTurnModel(const CrackMap& cracks, int table_bits,
 }
 
 std::size_t DeepTurnModel::gate_of() const {
-  return mix(around_ & patch::kNear, history(12)) * kGolden >>
-         (64 - kGateBits);
+  return mix(around_ & patch::kNear, history(12)) * kGolden >> (64 - kGateBits);
 }
 
 void DeepTurnModel::look_around() {
@@ -100,8 +99,8 @@ void DeepTurnModel::look_around() {
   ask(8, runs_ & 0x7f7f7f7f);
   ask(9, (chord(32) << 8 | history(4)) << 5 | bulge(32));
   ask(10, (chord(64) << 18 | chord(8)) << 5 | bulge(64));
-  ask(11, (verdict << 4 | std::min(dss_.previous_length(), 15U)) << 6 |
-              history(3));
+  ask(11,
+      (verdict << 4 | std::min(dss_.previous_length(), 15U)) << 6 | history(3));
   ask(12, expected.curve);
   ask(13, expected.right << 20 | bend);
   ask(14, expected.left << 20 | bend);

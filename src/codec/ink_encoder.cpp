@@ -17,6 +17,8 @@
 namespace unstep::codec {
 namespace {
 
+/// Pixels from which on the deep model of contours is always smaller.
+constexpr std::int64_t kSmallestDeep = 2'000'000;
 /// Pixels from which on the fast effort codes pixels, and any effort dither.
 constexpr std::int64_t kSmallestFastPixels = 1'000'000;
 constexpr std::int64_t kSmallestDither = 40'000;
@@ -94,9 +96,8 @@ Rows sample_of(const Bitmap& ink, std::int32_t first_row, std::int32_t rows) {
 /// tells: a part is coded both ways. Contours learn more from the rest.
 Result<bool> lines_pay(const Bitmap& ink, Rows sample, std::uint8_t revision) {
   constexpr std::size_t kPercent = 96;
-  const Result<std::vector<std::uint8_t>> lines =
-      encode_centrelines(ink, sample.first, sample.count, kCentrelinesMixed,
-                         {});
+  const Result<std::vector<std::uint8_t>> lines = encode_centrelines(
+      ink, sample.first, sample.count, kCentrelinesMixed, {});
   if (!lines) return lines.error();
   const Result<std::vector<std::uint8_t>> contours =
       encode_contours(ink, sample.first, sample.count, revision, {});
@@ -138,12 +139,9 @@ Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
 }
 
 /// With an empty payload if shapes repeat less than `least`.
-Result<EncodedBlock> encode_with_shapes(const Bitmap& ink,
-                                        std::int32_t first_row,
-                                        std::int32_t rows,
-                                        std::uint8_t revision,
-                                        std::uint64_t least,
-                                        const BlockProgress& progress) {
+Result<EncodedBlock> encode_with_shapes(
+    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
+    std::uint8_t revision, std::uint64_t least, const BlockProgress& progress) {
   Result<std::vector<std::uint8_t>> shapes =
       encode_shapes(ink, first_row, rows, revision, least, progress);
   if (!shapes) return shapes.error();
@@ -158,8 +156,15 @@ std::size_t cost(const EncodedBlock& block) {
   return block.payload.size() + (usual ? 0 : 1);
 }
 
-/// All ways, and of these the one that takes the fewest bytes: never more than
-/// the standard effort, whose ways are among them.
+/// Small drawings end before pixels have learned anything.
+bool is_small(const Bitmap& ink, std::int32_t rows, std::int64_t pixels) {
+  return std::int64_t{ink.width()} * rows < pixels;
+}
+
+/// Of all ways that may be it the one that takes the fewest bytes: never more
+/// than the standard effort, whose ways are among them. The deep model of
+/// contours costs most of the time; where shapes repeat they are smaller by
+/// some per cent.
 Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
                                      std::int32_t rows,
                                      const BlockProgress& progress) {
@@ -171,12 +176,18 @@ Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
       best = std::move(block);
     }
   };
-  keep(encode_by_contours(ink, first_row, rows, kContourMax, progress));
   keep(encode_by_contours(ink, first_row, rows, kContourLight, progress));
-  keep(encode_by_contours(ink, first_row, rows, kContourDeep, progress));
-  for (const std::uint8_t revision : {kShapesLight, kShapesDeep}) {
-    keep(encode_with_shapes(ink, first_row, rows, revision, kShapesPay,
+  keep(encode_with_shapes(ink, first_row, rows, kShapesLight, kShapesPay,
+                          progress));
+  const bool repeats = best && best->name.coder == kCoderShapes;
+  if (repeats) {
+    keep(encode_with_shapes(ink, first_row, rows, kShapesDeep, kShapesPay,
                             progress));
+  } else {
+    keep(encode_by_contours(ink, first_row, rows, kContourDeep, progress));
+  }
+  if (is_small(ink, rows, kSmallestDeep)) {
+    keep(encode_by_contours(ink, first_row, rows, kContourMax, progress));
   }
   keep(encode_by_pixels(ink, first_row, rows, kPixelsDeep, progress));
   if (is_thin(ink, first_row, rows)) {
@@ -188,11 +199,6 @@ Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
     }
   }
   return best;
-}
-
-/// Small drawings end before pixels have learned anything.
-bool is_small(const Bitmap& ink, std::int32_t rows, std::int64_t pixels) {
-  return std::int64_t{ink.width()} * rows < pixels;
 }
 
 Result<EncodedBlock> encode_fast(const Bitmap& ink, std::int32_t first_row,

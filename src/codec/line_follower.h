@@ -27,7 +27,8 @@ namespace unstep::codec {
 /// `Model` derives from this and has
 ///
 ///     look(sight)               a head is reached
-///     ask(found)                pixels come: the first ones (0), or those after
+///     ask(found)                pixels come: the first ones (0), or those
+///     after
 ///                               the one found
 ///     decide(coder, node, bit)
 template <class Model>
@@ -69,7 +70,7 @@ class LineFollower {
     }
     if (first == 0 || rest == 0) return first;
     if (!model().decide(coder, first == 1 ? kMoreAhead : kMoreAside,
-                (truth & rest) != 0)) {
+                        (truth & rest) != 0)) {
       return first;
     }
     return first | code_more(coder, first, rest, truth);
@@ -134,7 +135,9 @@ class LineFollower {
   [[nodiscard]] Values contexts(const Sight& sight) const {
     const auto& [base, patch, near, all, grid, verdict, level, guess,
                  way_home] = sight;
-    const auto history = [this](unsigned turns) { return track_.history(turns); };
+    const auto history = [this](unsigned turns) {
+      return track_.history(turns);
+    };
     const auto run = [this](std::size_t k, std::uint32_t limit) {
       return track_.run(k, limit);
     };
@@ -160,14 +163,15 @@ class LineFollower {
         mix(verdict, mix(grid, base))};
   }
   [[nodiscard]] Selectors selectors(const Sight& sight) const {
-    const auto run = static_cast<std::size_t>(std::bit_width(track_.run(0, 255)));
-    return {
-        std::min<std::size_t>(run, 7) * kNodes,
-        static_cast<std::size_t>(track_.history(2)) * kNodes,
-        (sight.level * 8 + sight.guess) * kNodes +
-            ((sight.patch.ink & pixel_patch::kOuter) != 0 ? 512U : 0U),
-        static_cast<std::size_t>(sight.verdict >> 5 & 31) * kNodes,
-        (std::min(track_.steps(), 15U) * 2 + (sight.home != 0 ? 1U : 0U)) * kNodes};
+    const auto run =
+        static_cast<std::size_t>(std::bit_width(track_.run(0, 255)));
+    return {std::min<std::size_t>(run, 7) * kNodes,
+            static_cast<std::size_t>(track_.history(2)) * kNodes,
+            (sight.level * 8 + sight.guess) * kNodes +
+                ((sight.patch.ink & pixel_patch::kOuter) != 0 ? 512U : 0U),
+            static_cast<std::size_t>(sight.verdict >> 5 & 31) * kNodes,
+            (std::min(track_.steps(), 15U) * 2 + (sight.home != 0 ? 1U : 0U)) *
+                kNodes};
   }
 
   ChainTrack track_{YAxis::down};

@@ -33,8 +33,7 @@ class TurnMatch {
     }
     turns_[end_++ % kSize] = static_cast<std::uint8_t>(turn);
     hash_ = hash_ << 2 | turn;
-    const std::uint64_t key =
-        (hash_ & kLooked) * 0x9e3779b97f4a7c15ULL >> 48;
+    const std::uint64_t key = (hash_ & kLooked) * 0x9e3779b97f4a7c15ULL >> 48;
     if (length_ == 0) find(heads_[key]);
     heads_[key] = end_;
   }
@@ -42,8 +41,8 @@ class TurnMatch {
  private:
   static constexpr std::size_t kSize = std::size_t{1} << 18;
   /// The turns by which a place is found.
-  static constexpr std::uint64_t kLooked =
-      ~std::uint64_t{0} >> (64 - 2 * kMinimum);
+  static constexpr std::uint64_t kLooked = ~std::uint64_t{0} >>
+                                           (64 - 2 * kMinimum);
 
   void find(std::uint32_t candidate) {
     if (candidate == 0 || end_ - candidate >= kSize - 64) return;

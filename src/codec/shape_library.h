@@ -74,8 +74,8 @@ class ShapeLibrary {
   }
 
   /// Adds to a class. Returns its id.
-  std::uint32_t add(std::uint32_t klass, Glyph glyph,
-                    std::int32_t x = 0, std::int32_t y = 0) {
+  std::uint32_t add(std::uint32_t klass, Glyph glyph, std::int32_t x = 0,
+                    std::int32_t y = 0) {
     const auto id = static_cast<std::uint32_t>(entries_.size());
     entries_.push_back({std::move(glyph), klass, x, y});
     auto& ids = classes_[klass];

@@ -34,7 +34,7 @@ struct ShapeReference {
 template <class Model>
 class ShapePixelOrder {
  public:
-  static constexpr int kGateAge = 24;     ///< observations before a gate may
+  static constexpr int kGateAge = 24;  ///< observations before a gate may
   static constexpr bool kSeesOthers = Model::kSeesOthers;
   /// Rows of the reference that are seen, the middle one being the pixel's.
   static constexpr std::size_t kMatched = 2 * Model::kReach + 1;
@@ -62,8 +62,8 @@ class ShapePixelOrder {
         rows_[static_cast<std::size_t>(k)] = canvas.row(y - k);
       }
       for (std::size_t k = 0; k < kMatched && refers_; ++k) {
-        matched_[k] = reference->pixels->row(
-            y - Model::kReach + static_cast<std::int32_t>(k));
+        matched_[k] = reference->pixels->row(y - Model::kReach +
+                                             static_cast<std::int32_t>(k));
       }
       find_busy(width);
       width_ = width;
@@ -116,7 +116,10 @@ class ShapePixelOrder {
   [[nodiscard]] std::int32_t y() const { return y_; }
   /// 0..3: how often the reference was wrong lately.
   [[nodiscard]] unsigned quality() const {
-    return errors_ < 1024 ? 0U : errors_ < 4096 ? 1U : errors_ < 10240 ? 2U : 3U;
+    return errors_ < 1024    ? 0U
+           : errors_ < 4096  ? 1U
+           : errors_ < 10240 ? 2U
+                             : 3U;
   }
   /// Distances from the sides of the shape, at most 31: top, bottom, left and
   /// right, five bits each.
@@ -272,7 +275,7 @@ class ShapePixelOrder {
   std::int32_t first_ = 0;
   std::array<std::uint64_t, 7> seen_{};
   std::array<std::uint64_t, kMatched> matched_seen_{};
-  std::array<ShapeCanvas::Row, 7> rows_{};     ///< this row and those above
+  std::array<ShapeCanvas::Row, 7> rows_{};  ///< this row and those above
   std::array<ShapeCanvas::Row, kMatched> matched_{};  ///< of the reference
   std::array<std::uint64_t, kWords> busy_{};
   std::array<std::uint64_t, kWords> ink_{};
@@ -281,7 +284,7 @@ class ShapePixelOrder {
 /// Eight contexts, mixed.
 class MixedShapePixels {
  public:
-  static constexpr int kGateRare = 6000;  ///< of 65536
+  static constexpr int kGateRare = 6000;     ///< of 65536
   static constexpr std::int32_t kReach = 2;  ///< rows of the reference
   static constexpr std::int32_t kLook = 24;  ///< 6 pixels ahead are seen
   static constexpr bool kSeesOthers = false;
@@ -309,15 +312,17 @@ class MixedShapePixels {
            cut(r3, 2, 5) << 21;
     c[3] = before(n.r0, 1) | cut(n.r1, 1, 3) << 1 | cut(n.r2, 1, 1) << 6 |
            cut(r3, 1, 1) << 9 | cut(r4, 1, 1) << 12 |
-           cut(order.above(5, x), 1, 1) << 15 | cut(order.above(6, x), 1, 1) << 18;
+           cut(order.above(5, x), 1, 1) << 15 |
+           cut(order.above(6, x), 1, 1) << 18;
     PixelMixer::Chosen chosen;
     if (order.refers()) {
       const std::uint64_t quality = order.quality();
       const std::uint64_t kind = 1ULL << 60 | quality << 56;
-      const std::uint64_t wide =
-          cut(order.matched(-2, x), 1, 1) | cut(order.matched(-1, x), 2, 2) << 3 |
-          cut(order.matched(0, x), 2, 2) << 8 | cut(order.matched(1, x), 2, 2) << 13 |
-          cut(order.matched(2, x), 1, 1) << 18;
+      const std::uint64_t wide = cut(order.matched(-2, x), 1, 1) |
+                                 cut(order.matched(-1, x), 2, 2) << 3 |
+                                 cut(order.matched(0, x), 2, 2) << 8 |
+                                 cut(order.matched(1, x), 2, 2) << 13 |
+                                 cut(order.matched(2, x), 1, 1) << 18;
       c[4] = kind | n.block | n.corner << 9;
       c[5] = kind | wide | (n.corner & 1) << 24 | (n.r1 >> 31 & 1) << 25;
       c[6] = kind | n.block | n.near << 9;

@@ -249,8 +249,8 @@ class ShapeScan {
       now.id = library_.open(std::move(shape.glyph)) + 1;
       now.klass = library_.entry(now.id - 1).klass + 1;
     } else if (!now.same) {
-      now.id = library_.add(now.klass - 1, std::move(shape.glyph),
-                            told_.x, told_.y) +
+      now.id = library_.add(now.klass - 1, std::move(shape.glyph), told_.x,
+                            told_.y) +
                1;
     }
     sequence_.remember({now.klass, now.gap, now.rise, shape.x,

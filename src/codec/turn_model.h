@@ -99,6 +99,7 @@ class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
+  using typename Walk::Sight;
   using Walk::around_;
   using Walk::bends_;
   using Walk::bulge;
@@ -111,7 +112,6 @@ class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
   using Walk::ink_;
   using Walk::look;
   using Walk::runs_;
-  using typename Walk::Sight;
 
   /// The two binary decisions that make a turn.
   enum Node : std::uint8_t { kBends = 0, kToRight = 1 };

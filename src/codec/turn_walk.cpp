@@ -16,7 +16,7 @@ constexpr int kSight = 12;     ///< and look()
 
 template <bool kCurves>
 void TurnWalk<kCurves>::begin(CrackMap::Address point,
-                                   CrackMap::Address flipped, bool ink) {
+                              CrackMap::Address flipped, bool ink) {
   direction_ = 0;
   point_ = point + cracks_.step(0);
   flipped_ = flipped + cracks_.flipped_step(0);
@@ -62,8 +62,8 @@ void TurnWalk<kCurves>::move_on(Turn turn) {
 /// The nearest cracks parallel to the one that leaves a point.
 template <bool kCurves>
 CurveFit::Gaps TurnWalk<kCurves>::gaps(CrackMap::Address point,
-                                            CrackMap::Address flipped,
-                                            Quarter direction) const {
+                                       CrackMap::Address flipped,
+                                       Quarter direction) const {
   // The crack's bit in the plane where those beside it are its neighbours.
   const CrackMap::Address bit =
       (direction & 1) != 0 ? point + cracks_.crack(direction)
@@ -80,8 +80,7 @@ CurveFit::Gaps TurnWalk<kCurves>::gaps(CrackMap::Address point,
 
 /// The nearest crack parallel to the one just walked, on one side.
 template <bool kCurves>
-typename TurnWalk<kCurves>::Sight TurnWalk<kCurves>::look(
-    bool right) const {
+typename TurnWalk<kCurves>::Sight TurnWalk<kCurves>::look(bool right) const {
   const bool greater = right == (direction_ == 0 || direction_ == 3);
   const int distance = gaps_[greater ? 0 : 1];
   if (distance == 0 || distance > kSight) return {};

@@ -73,8 +73,8 @@ class TurnWalk {
 
   // What it did.
   std::uint64_t history_ = 0;  ///< two bits a turn, latest lowest
-  std::uint64_t runs_ = 0;     ///< steps since the last eight turns, 8 bits each
-  unsigned bends_ = 0;         ///< the last bends, two bits each
+  std::uint64_t runs_ = 0;  ///< steps since the last eight turns, 8 bits each
+  unsigned bends_ = 0;      ///< the last bends, two bits each
   std::uint32_t steps_ = 0;
   DssState dss_;
 

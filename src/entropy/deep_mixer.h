@@ -55,9 +55,9 @@ inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w,
         _mm_packs_epi32(_mm_srai_epi32(_mm_loadu_si128(at), 6),
                         _mm_srai_epi32(_mm_loadu_si128(at + 1), 6));
     sum = _mm_add_epi32(
-        sum, _mm_madd_epi16(
-                 _mm_loadu_si128(reinterpret_cast<const __m128i*>(x + i)),
-                 narrow));
+        sum,
+        _mm_madd_epi16(_mm_loadu_si128(reinterpret_cast<const __m128i*>(x + i)),
+                       narrow));
   }
   sum = _mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0x4e));
   sum = _mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0xb1));
@@ -143,12 +143,10 @@ class DeepMixer {
     last_ = last * kSets;
     std::int64_t sum = 0;
     for (std::size_t s = 0; s < kSets; ++s) {
-      outputs_[s] =
-          clamp_stretch(deep_mixing::dot(inputs_.data(),
-                                         weights_[s].data() +
-                                             chosen[s] * kInputs,
-                                         kInputs) >>
-                        14);
+      outputs_[s] = clamp_stretch(
+          deep_mixing::dot(inputs_.data(),
+                           weights_[s].data() + chosen[s] * kInputs, kInputs) >>
+          14);
       sum += std::int64_t{outputs_[s]} * finals_[last_ + s];
     }
     // Below 3071 * 2^23 * 2^5 by kMost.
@@ -164,7 +162,8 @@ class DeepMixer {
       const int error = truth - squash(outputs_[s]);
       if (error < kSpared && error > -kSpared) continue;
       std::uint16_t& age = ages_[s][chosen_[s]];
-      const int rate = kRateEnd + (kRateStart - kRateEnd) * 16 / (16 + age / 64);
+      const int rate =
+          kRateEnd + (kRateStart - kRateEnd) * 16 / (16 + age / 64);
       if (age < 60000) ++age;
       // 65536 * 700 >> 12 fits int16.
       deep_mixing::train(inputs_.data(),

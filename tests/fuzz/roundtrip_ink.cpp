@@ -67,10 +67,9 @@ void round_trip_contours(const Bitmap& ink, std::uint8_t revision) {
   const auto payload =
       codec::encode_contours(ink, 0, ink.height(), revision, {});
   require(static_cast<bool>(payload), "any ink can be coded as contours");
-  require(
-      static_cast<bool>(codec::verify_contours(
-          *payload, ink, 0, ink.height(), revision, limits(), {})),
-      "contours come back");
+  require(static_cast<bool>(codec::verify_contours(
+              *payload, ink, 0, ink.height(), revision, limits(), {})),
+          "contours come back");
 }
 
 /// And coder 4, taken for large or dithered pages only.

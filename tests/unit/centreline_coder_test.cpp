@@ -211,7 +211,8 @@ TEST(Centrelines, GiveUpWhereTooManyBranchesWait) {
     return ink;
   };
   EXPECT_FALSE(expect_round_trip(field(200), 0, 200).empty());
-  const Result<Bytes> none = encode_centrelines(field(700), 0, 700, kCentrelinesMixed, {});
+  const Result<Bytes> none =
+      encode_centrelines(field(700), 0, 700, kCentrelinesMixed, {});
   ASSERT_TRUE(none);
   EXPECT_TRUE(none->empty());
 }
@@ -224,7 +225,8 @@ TEST(Centrelines, TellProgressAndCanBeCancelled) {
     last = done;
     return done < 100;
   };
-  const Result<Bytes> payload = encode_centrelines(ink, 0, 200, kCentrelinesMixed, count);
+  const Result<Bytes> payload =
+      encode_centrelines(ink, 0, 200, kCentrelinesMixed, count);
   ASSERT_FALSE(payload);
   EXPECT_EQ(payload.error().code, ErrorCode::cancelled);
   EXPECT_EQ(last, 128U);
