@@ -101,6 +101,17 @@ def thin_map(width, height, pieces):
     return pbm(["".join(row) for row in page])
 
 
+def rings(width, height):
+    """Wavy rings, dots beside them."""
+    def ink(x, y):
+        u, v = x - 7 * width // 16, y - height // 2
+        r = u * u + v * v + (u * v >> 3) - (u * u * u >> 8)
+        return ((r >> 9 & 3) == 1 and r < 14000
+                or (x * 37 + y * 101) % 1201 == 5)
+    return pbm(["".join("#" if ink(x, y) else "." for x in range(width))
+                for y in range(height)])
+
+
 class SecondDecoder(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -163,8 +174,15 @@ class SecondDecoder(unittest.TestCase):
         self.check_agrees_on_pixels(scattered(70, 30), "--effort", "max",
                                     coder=4)
 
+    def test_contours_of_max(self):
+        self.check_agrees_on_pixels(rings(130, 101), "--effort", "max")
+        file = pathlib.Path(self.path("a.ustp")).read_bytes()
+        self.assertIn(b"\x61\x04\x01", file[:12])
+
     def test_thin_lines(self):
         self.check_agrees_on_pixels(thin_map(300, 300, 20), coder=3)
+        self.check_agrees_on_pixels(thin_map(300, 300, 20), "--effort", "max",
+                                    coder=3)
 
     def test_dither(self):
         """Ordered, of a slope in two directions."""
