@@ -149,11 +149,14 @@ Result<EncodedBlock> encode_with_shapes(
                       *std::move(shapes)};
 }
 
-/// Bytes in a file: a coder that is not the usual one is named.
+/// Bytes in a file: a coder that is not the usual one is named, in one byte or
+/// in three.
 std::size_t cost(const EncodedBlock& block) {
-  const bool usual =
-      block.name == CoderName{kCoderContours, kContourStandard, warm::kTableId};
-  return block.payload.size() + (usual ? 0 : 1);
+  const CoderName usual{kCoderContours, kContourStandard, warm::kTableId};
+  const std::size_t name = block.name == usual        ? 0
+                           : block.name.revision <= 2 ? 1
+                                                      : 3;
+  return block.payload.size() + name;
 }
 
 /// Small drawings end before pixels have learned anything.

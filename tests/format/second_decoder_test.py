@@ -175,7 +175,7 @@ class SecondDecoder(unittest.TestCase):
                                     coder=4)
 
     def test_contours_of_max(self):
-        self.check_agrees_on_pixels(rings(130, 101), "--effort", "max")
+        self.check_agrees_on_pixels(rings(230, 201), "--effort", "max")
         file = pathlib.Path(self.path("a.ustp")).read_bytes()
         self.assertIn(b"\x61\x04\x01", file[:12])
 
