@@ -102,7 +102,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   unstep::fuzz::round_trip(ink, input[1]);
   namespace codec = unstep::codec;
   // Seldom: they fill tens of megabytes for each input.
-  const bool deep = input[1] % 8 == 1;
+  const bool deep = input[1] % 16 == 1;
   unstep::fuzz::round_trip_centrelines(
       ink, deep ? codec::kCentrelinesDeep : codec::kCentrelinesMixed);
   unstep::fuzz::round_trip_contours(
