@@ -1,6 +1,7 @@
 #include "codec/deep_start_model.h"
 
 #include "codec/context.h"
+#include "grid/bit_count.h"
 
 namespace unstep::codec {
 namespace {
@@ -19,7 +20,7 @@ std::uint64_t fine_level(std::uint64_t density) {
 
 std::uint64_t count_level(std::uint64_t points) {
   return static_cast<std::uint64_t>(
-      std::bit_width(static_cast<unsigned>(std::popcount(points))));
+      std::bit_width(static_cast<unsigned>(ones(points))));
 }
 
 /// 0..6: how many points are asked about.
@@ -116,7 +117,7 @@ void DeepStartModel::look_at_word(std::uint64_t mask, std::int32_t word,
   kind_ = gap >= 128 ? 2 : gap < 64 ? 1 : 0;
   anchor_ = (kind_ == 2 ? std::countl_zero(last->bit) : past_->x) & 63;
 
-  const std::uint64_t size = size_level(std::popcount(mask));
+  const std::uint64_t size = size_level(ones(mask));
   const std::uint64_t row = std::min(past_->row, 3U);
   const std::array<std::uint64_t, 3> ages{age(last[-1]), age(last[0]),
                                           age(last[1])};
@@ -152,7 +153,7 @@ void DeepStartModel::look_at_word(std::uint64_t mask, std::int32_t word,
   ask(coast, all_ages);
   ask(fine_level(quick[at_]),
       fine_level(quick[at_ - 1]) << 8 | fine_level(quick[at_ + 1]));
-  flags_.set_extra(0, 8 * std::popcount(mask) - 256);
+  flags_.set_extra(0, 8 * ones(mask) - 256);
   choice_.vectors = {(colour_ << 3 | size) << 5 | row << 3 | youngest,
                      level(wide(1)) * 16 + level(wide(2)), coast,
                      (colour_ * 12 + level(wide(0))) * 8 + rough};
@@ -164,8 +165,7 @@ void DeepStartModel::look_at_word(std::uint64_t mask, std::int32_t word,
 std::uint32_t DeepStartModel::density(std::uint64_t points) const {
   std::uint32_t sum = 0;
   for (std::size_t k = 0; k < kBytes; ++k) {
-    const auto count =
-        static_cast<std::uint32_t>(std::popcount(points << 8 * k >> 56));
+    const auto count = static_cast<std::uint32_t>(ones(points << 8 * k >> 56));
     sum += past_->bytes[at_ * kBytes + k] * count / 8;
   }
   return sum;
@@ -175,18 +175,16 @@ std::uint32_t DeepStartModel::density(std::uint64_t points) const {
 unsigned DeepStartModel::nearness(std::uint64_t points) const {
   unsigned near = 0;
   for (const std::uint64_t within : near_) {
-    const int count = std::popcount(points & within);
-    near = near * 3 + (count == 0                           ? 0
-                       : 2 * count <= std::popcount(points) ? 1
-                                                            : 2);
+    const int count = ones(points & within);
+    near = near * 3 + (count == 0 ? 0 : 2 * count <= ones(points) ? 1 : 2);
   }
   return near;
 }
 
 void DeepStartModel::look_at_halves(std::uint64_t before, std::uint64_t after,
                                     unsigned half, std::size_t node) {
-  const auto few = static_cast<std::uint64_t>(std::popcount(before));
-  const auto later = static_cast<std::uint64_t>(std::popcount(after));
+  const auto few = static_cast<std::uint64_t>(ones(before));
+  const auto later = static_cast<std::uint64_t>(ones(after));
   const std::uint64_t ratio = 16 * later / (few + later);
   const std::uint64_t near = nearness(before) * 27 + nearness(after);
   const std::uint64_t dense_before = density(before);

@@ -97,10 +97,8 @@ class DeepStartModel : public StartModel {
                       std::size_t node);
   void count(std::uint64_t bit);
   void look_at_cracks(std::int32_t word);
-  [[nodiscard]] unsigned age(const Last& last) const {
-    return std::min(static_cast<unsigned>(
-                        std::bit_width(static_cast<unsigned>(y_ - last.y) / 2)),
-                    7U);
+  [[nodiscard]] std::size_t age(const Last& last) const {
+    return far_start_age(y_ - last.y);
   }
   [[nodiscard]] std::uint64_t wide(std::size_t rate) const {
     const auto& d = past_->words[rate];

@@ -55,9 +55,7 @@ std::uint64_t DeepTurnModel::memory(int table_bits) {
 
 DeepTurnModel::DeepTurnModel(const CrackMap& cracks, int table_bits,
                              const warm::Table& start)
-    : TurnWalk(cracks),
-      gates_(std::size_t{1} << kGateBits),
-      model_(table_bits, kSizes, first_weights(start)) {
+    : TurnWalk(cracks), model_(table_bits, kSizes, first_weights(start)) {
   for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
     start.for_each(i, [&](const warm::Record& record) {
       for (std::size_t node = 0; node < 2; ++node) {
@@ -66,10 +64,6 @@ DeepTurnModel::DeepTurnModel(const CrackMap& cracks, int table_bits,
       }
     });
   }
-}
-
-std::size_t DeepTurnModel::gate_of() const {
-  return mix(around_ & patch::kNear, history(12)) * kGolden >> (64 - kGateBits);
 }
 
 void DeepTurnModel::look_around() {

@@ -23,11 +23,6 @@ class DeepTurnModel : public TurnWalk<true> {
   static constexpr std::size_t kSets = 8;
   static constexpr std::size_t kRefiners = 4;
 
-  /// As of MixedTurnModel.
-  static constexpr int kGateBits = 16;
-  static constexpr int kGateAge = 24;
-  static constexpr int kGateRare = 512;
-
   /// `cracks` must outlive the model; 2^table_bits slots per context.
   /// REQUIRES: 8 <= table_bits <= 20.
   DeepTurnModel(const CrackMap& cracks, int table_bits,
@@ -40,9 +35,8 @@ class DeepTurnModel : public TurnWalk<true> {
   /// least two.
   template <class Coder>
   Turn code(Coder& coder, Turn turn, unsigned allowed) {
-    entropy::Counter& gate = gates_[gate_of()];
-    if ((allowed & 1U << kStraight) != 0 && gate.n >= kGateAge &&
-        gate.p < kGateRare) {
+    entropy::Counter& gate = this->gate();
+    if ((allowed & 1U << kStraight) != 0 && decides(gate)) {
       const bool bends = coder.code(turn != kStraight, gate.p + 4);
       gate.update(bends);
       if (!bends) return kStraight;
@@ -79,11 +73,9 @@ class DeepTurnModel : public TurnWalk<true> {
   static const Model::Choice kSizes;
   static std::array<Model::Weights, 2> first_weights(const warm::Table& start);
 
-  [[nodiscard]] std::size_t gate_of() const;
   void look_around();
   void choose(const Sight& right, const Sight& left, std::uint64_t curve);
 
-  std::vector<entropy::Counter> gates_;
   Model model_;
   Model::Choice choice_;
   MatchModel match_;

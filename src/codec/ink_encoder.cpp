@@ -138,15 +138,15 @@ Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
   return as_lines(kCentrelinesMixed, *std::move(lines));
 }
 
-/// With an empty payload if shapes repeat less than `least`.
-Result<EncodedBlock> encode_with_shapes(
-    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
-    std::uint8_t revision, std::uint64_t least, const BlockProgress& progress) {
-  Result<std::vector<std::uint8_t>> shapes =
-      encode_shapes(ink, first_row, rows, revision, least, progress);
-  if (!shapes) return shapes.error();
+Result<EncodedBlock> encode_by_shapes(const Bitmap& ink, std::int32_t first_row,
+                                      std::int32_t rows, std::uint8_t revision,
+                                      const std::vector<PlacedShape>& shapes,
+                                      const BlockProgress& progress) {
+  Result<std::vector<std::uint8_t>> payload =
+      encode_shapes(ink, first_row, rows, revision, shapes, progress);
+  if (!payload) return payload.error();
   return EncodedBlock{{kCoderShapes, revision, warm::kTableId},
-                      *std::move(shapes)};
+                      *std::move(payload)};
 }
 
 /// Bytes in a file: a coder that is not the usual one is named, in one byte or
@@ -180,12 +180,15 @@ Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
     }
   };
   keep(encode_by_contours(ink, first_row, rows, kContourLight, progress));
-  keep(encode_with_shapes(ink, first_row, rows, kShapesLight, kShapesPay,
-                          progress));
+  const std::vector<PlacedShape> shapes =
+      find_shapes(ink, first_row, rows, kShapesPay);
+  if (!shapes.empty()) {
+    keep(
+        encode_by_shapes(ink, first_row, rows, kShapesLight, shapes, progress));
+  }
   const bool repeats = best && best->name.coder == kCoderShapes;
   if (repeats) {
-    keep(encode_with_shapes(ink, first_row, rows, kShapesDeep, kShapesPay,
-                            progress));
+    keep(encode_by_shapes(ink, first_row, rows, kShapesDeep, shapes, progress));
   } else {
     keep(encode_by_contours(ink, first_row, rows, kContourDeep, progress));
   }
@@ -232,10 +235,13 @@ Result<EncodedBlock> encode_standard(const Bitmap& ink, std::int32_t first_row,
                                      const PixelTexture& texture,
                                      const BlockProgress& progress) {
   const bool scan = texture.is_printed() && !is_small(ink, rows, kSmallestScan);
-  Result<EncodedBlock> shapes = encode_with_shapes(
-      ink, first_row, rows, kShapesLight,
-      scan && texture.is_crowded() ? kShapesPayWell : kShapesPay, progress);
-  if (!shapes || !shapes->payload.empty()) return shapes;
+  const std::vector<PlacedShape> shapes =
+      find_shapes(ink, first_row, rows,
+                  scan && texture.is_crowded() ? kShapesPayWell : kShapesPay);
+  if (!shapes.empty()) {
+    return encode_by_shapes(ink, first_row, rows, kShapesLight, shapes,
+                            progress);
+  }
   if (is_thin(ink, first_row, rows)) {
     return encode_thin(ink, first_row, rows, progress);
   }

@@ -54,12 +54,6 @@ Result<std::vector<std::uint8_t>> encode_shapes(
     std::uint8_t revision, const std::vector<PlacedShape>& shapes,
     const BlockProgress& progress);
 
-/// With the shapes that repeat at least so much (shape_matcher.h); empty if
-/// they do not.
-Result<std::vector<std::uint8_t>> encode_shapes(
-    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
-    std::uint8_t revision, std::uint64_t least, const BlockProgress& progress);
-
 Status decode_shapes(std::span<const std::uint8_t> payload, Bitmap& ink,
                      std::int32_t first_row, std::int32_t rows,
                      std::uint8_t revision, const DecodeLimits& limits,

@@ -51,15 +51,6 @@ Status tell(EncoderSide& side, std::int32_t width, std::int32_t rows, int bits,
 
 Result<std::vector<std::uint8_t>> encode_shapes(
     const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
-    std::uint8_t revision, std::uint64_t least, const BlockProgress& progress) {
-  const std::vector<PlacedShape> shapes =
-      find_shapes(ink, first_row, rows, least);
-  if (shapes.empty()) return std::vector<std::uint8_t>{};
-  return encode_shapes(ink, first_row, rows, revision, shapes, progress);
-}
-
-Result<std::vector<std::uint8_t>> encode_shapes(
-    const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
     std::uint8_t revision, const std::vector<PlacedShape>& shapes,
     const BlockProgress& progress) {
   Result<Bitmap> rest = Bitmap::create(ink.width(), rows);

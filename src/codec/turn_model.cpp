@@ -86,7 +86,6 @@ MixedTurnModel<kViews>::MixedTurnModel(const CrackMap& cracks, int table_bits,
                                        const warm::Table& start)
     : Walk(cracks),
       slots_(table_sizes<MixedTurnModel>(table_bits)),
-      gates_(std::size_t{1} << kGateBits),
       mixer_(set_sizes<MixedTurnModel>(), first_weights<MixedTurnModel>(start)),
       refiners_(make_refiners<MixedTurnModel>()) {
   for (std::size_t i = 0; i < kContexts; ++i) {
@@ -100,14 +99,6 @@ MixedTurnModel<kViews>::MixedTurnModel(const CrackMap& cracks, int table_bits,
                               static_cast<std::uint16_t>(record.check + 1)};
     });
   }
-}
-
-template <TurnViews kViews>
-entropy::Counter& MixedTurnModel<kViews>::find_gate() {
-  const std::uint64_t recent = history_ & 0xffffff;  // 12 turns
-  const std::uint64_t hash = mix(around_ & patch::kNear, recent) * kGolden;
-  gate_ = &gates_[hash >> (64 - kGateBits)];
-  return *gate_;
 }
 
 template <TurnViews kViews>

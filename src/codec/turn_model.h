@@ -37,12 +37,6 @@ class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
   static constexpr std::size_t kSets = kAll ? 4 : 3;  ///< of weights
   static constexpr std::size_t kRefiners = kAll ? 2 : 1;
 
-  /// A gate is one counter that decides whether a bend is so unlikely that it
-  /// is coded with this counter alone: 2 of 5 steps of a technical drawing.
-  static constexpr int kGateBits = 16;
-  static constexpr int kGateAge = 24;    ///< observations before it may
-  static constexpr int kGateRare = 512;  ///< of 65536
-
   /// Errors of this many 65536ths teach the weights nothing.
   static constexpr int kSpared = 1000;
 
@@ -60,9 +54,9 @@ class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
   /// two.
   template <class Coder>
   Turn code(Coder& coder, Turn turn, unsigned allowed) {
-    entropy::Counter& gate = find_gate();
-    if ((allowed & 1U << kStraight) != 0 && gate.n >= kGateAge &&
-        gate.p < kGateRare) {
+    entropy::Counter& gate = this->gate();
+    gate_ = &gate;
+    if ((allowed & 1U << kStraight) != 0 && this->decides(gate)) {
       const bool bends = coder.code(turn != kStraight, gate.p + 4);
       gate.update(bends);
       if (!bends) return kStraight;
@@ -108,7 +102,6 @@ class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
   using Walk::dss_;
   using Walk::forecast;
   using Walk::history;
-  using Walk::history_;
   using Walk::ink_;
   using Walk::look;
   using Walk::runs_;
@@ -116,7 +109,6 @@ class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
   /// The two binary decisions that make a turn.
   enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
 
-  entropy::Counter& find_gate();
   void look_around();
   int probability(Node node);
   void learn(Node node, bool bit) {
@@ -124,7 +116,6 @@ class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
     for (entropy::Refiner& refiner : refiners_) refiner.learn(bit);
   }
   Slots slots_;
-  std::vector<entropy::Counter> gates_;
   entropy::Counter* gate_ = nullptr;
   entropy::Mixer<kInputs, kSets, 2, kSpared> mixer_;
   /// By the nearest cracks, by the last turns.

@@ -59,6 +59,12 @@ void TurnWalk<kCurves>::move_on(Turn turn) {
   trail_[steps_ % trail_.size()] = here_;
 }
 
+template <bool kCurves>
+entropy::Counter& TurnWalk<kCurves>::gate() {
+  const std::uint64_t hash = mix(around_ & patch::kNear, history(12)) * kGolden;
+  return gates_[hash >> (64 - kGateBits)];
+}
+
 /// The nearest cracks parallel to the one that leaves a point.
 template <bool kCurves>
 CurveFit::Gaps TurnWalk<kCurves>::gaps(CrackMap::Address point,

@@ -3,11 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "codec/crack_map.h"
 #include "codec/curve_fit.h"
 #include "codec/dss_state.h"
 #include "codec/patch.h"
+#include "entropy/counter.h"
 
 namespace unstep::codec {
 
@@ -23,6 +25,12 @@ using trace::turned;
 template <bool kCurves>
 class TurnWalk {
  public:
+  /// A gate is one counter that decides whether a bend is so unlikely that it
+  /// is coded with this counter alone: 2 of 5 steps of a technical drawing.
+  static constexpr int kGateBits = 16;
+  static constexpr int kGateAge = 24;    ///< observations before it may
+  static constexpr int kGateRare = 512;  ///< of 65536
+
   /// A contour starts at a point (its address in the planes and in the flipped
   /// plane) and goes east. `ink`: ink is on the right.
   void begin(CrackMap::Address point, CrackMap::Address flipped, bool ink);
@@ -46,7 +54,14 @@ class TurnWalk {
     std::int64_t area;
   };
 
-  explicit TurnWalk(const CrackMap& cracks) : cracks_(cracks) {}
+  explicit TurnWalk(const CrackMap& cracks)
+      : cracks_(cracks), gates_(std::size_t{1} << kGateBits) {}
+
+  /// The gate of the point.
+  [[nodiscard]] entropy::Counter& gate();
+  [[nodiscard]] static bool decides(const entropy::Counter& gate) {
+    return gate.n >= kGateAge && gate.p < kGateRare;
+  }
 
   /// The turn taken at the point, coded or forced, and the step after it.
   void move_on(Turn turn);
@@ -87,6 +102,7 @@ class TurnWalk {
     return trail_[(steps_ - n) % trail_.size()];
   }
 
+  std::vector<entropy::Counter> gates_;
   std::array<Trail, 128> trail_{};  ///< the last positions, by steps_ % 128
   Trail here_{};
   CurveFit curve_;

@@ -166,6 +166,9 @@ class SecondDecoder(unittest.TestCase):
         self.check_agrees_on_pixels(text(256, 110, 9), coder=2)
         self.check_agrees_on_pixels(text(240, 110, 2), coder=2)
 
+    def test_quiet_spans(self):
+        self.check_agrees(str(ROOT / "tests/golden/valid/contours_wide.pbm"))
+
     def test_efforts(self):
         self.check_agrees_on_pixels(text(250, 110, 5), "--effort", "max",
                                     coder=2)

@@ -282,16 +282,20 @@ TEST(Golden, EveryBuildMakesTheSamePayloadsOfMax) {
     return codec::encode_contours(ink, 0, ink.height(), codec::kContourMax, {});
   });
   expect_payload("shapes_text_max", [](const Bitmap& ink) {
+    const std::vector<codec::PlacedShape> shapes =
+        codec::find_shapes(ink, 0, ink.height(), codec::kShapesPay);
     return codec::encode_shapes(ink, 0, ink.height(), codec::kShapesFull,
-                                codec::kShapesPay, {});
+                                shapes, {});
   });
   expect_payload("contours_rings_deep", [](const Bitmap& ink) {
     return codec::encode_contours(ink, 0, ink.height(), codec::kContourDeep,
                                   {});
   });
   expect_payload("shapes_text_deep", [](const Bitmap& ink) {
+    const std::vector<codec::PlacedShape> shapes =
+        codec::find_shapes(ink, 0, ink.height(), codec::kShapesPay);
     return codec::encode_shapes(ink, 0, ink.height(), codec::kShapesDeep,
-                                codec::kShapesPay, {});
+                                shapes, {});
   });
   expect_payload("centrelines_map_deep", [](const Bitmap& ink) {
     return codec::encode_centrelines(ink, 0, ink.height(),

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <random>
 #include <vector>
 
 #include "codec/contour_coder.h"
+#include "common/wild.h"
 #include "entropy/arithmetic_encoder.h"
 #include "entropy/deep_mixer.h"
 #include "unit/container_testing.h"
@@ -18,17 +18,9 @@ namespace unstep::codec {
 namespace {
 
 using testing::random_ink;
+using testing::wild;
 using Bytes = std::vector<std::uint8_t>;
 namespace mixing = entropy::deep_mixing;
-
-template <class T>
-T wild(std::mt19937& random) {
-  switch (random() % 4) {
-    case 0: return std::numeric_limits<T>::max();
-    case 1: return std::numeric_limits<T>::min();
-    default: return static_cast<T>(random());
-  }
-}
 
 TEST(DeepMixing, FastFormsEqualTheReference) {
   std::mt19937 random(5);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <new>
 #include <random>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/wild.h"
 #include "entropy/arithmetic_decoder.h"
 #include "entropy/arithmetic_encoder.h"
 #include "entropy/counter.h"
@@ -23,6 +23,8 @@
 
 namespace unstep::entropy {
 namespace {
+
+using testing::wild;
 
 struct Coded {
   bool bit;
@@ -173,16 +175,6 @@ TEST(Logistic, KeepsItsValues) {
   const std::vector<std::pair<int, int>> stretched{
       {32768, 1}, {49152, 282}, {65535, 2292}, {0, -2292}};
   for (const auto& [p, x] : stretched) EXPECT_EQ(stretch(p), x) << p;
-}
-
-/// Random numbers with many at the ends of the range.
-template <class T>
-T wild(std::mt19937& random) {
-  switch (random() % 4) {
-    case 0: return std::numeric_limits<T>::max();
-    case 1: return std::numeric_limits<T>::min();
-    default: return static_cast<T>(random());
-  }
 }
 
 TEST(Mixing, FastFormsEqualTheReference) {
