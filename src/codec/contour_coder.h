@@ -48,8 +48,8 @@ inline constexpr std::uint8_t kContourDeep = 4;
     return pixels < 40'000 ? 14 : pixels < 2'000'000 ? 16 : 18;
   }
   if (pixels < 40'000) return 13;
-  if (pixels < 2'000'000) return 15;
-  return pixels <= 24'000'000 ? 17 : 15;
+  if (pixels < 2'000'000 || pixels > 24'000'000) return 15;
+  return revision == kContourLight ? 16 : 17;
 }
 
 /// Bytes that coding such a block allocates: the cracks and the models.

@@ -184,7 +184,7 @@ Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
       find_shapes(ink, first_row, rows, kShapesPay);
   if (!shapes.empty()) {
     keep(
-        encode_by_shapes(ink, first_row, rows, kShapesLight, shapes, progress));
+        encode_by_shapes(ink, first_row, rows, kShapesMixed, shapes, progress));
   }
   const bool repeats = best && best->name.coder == kCoderShapes;
   if (repeats) {
@@ -239,7 +239,7 @@ Result<EncodedBlock> encode_standard(const Bitmap& ink, std::int32_t first_row,
       find_shapes(ink, first_row, rows,
                   scan && texture.is_crowded() ? kShapesPayWell : kShapesPay);
   if (!shapes.empty()) {
-    return encode_by_shapes(ink, first_row, rows, kShapesLight, shapes,
+    return encode_by_shapes(ink, first_row, rows, kShapesMixed, shapes,
                             progress);
   }
   if (is_thin(ink, first_row, rows)) {

@@ -13,28 +13,28 @@ namespace unstep::codec {
 
 struct PlacedShape;
 
-/// The deep one is for the max effort; the full one, with the contours of the
-/// standard effort, is no longer written.
-inline constexpr std::uint8_t kShapesLight = 0;
-inline constexpr std::uint8_t kShapesFull = 1;
-inline constexpr std::uint8_t kShapesDeep = 2;
+/// The models; they are the revisions of coder 2. The deep ones are for the max
+/// effort.
+inline constexpr std::uint8_t kShapesMixed = 0;
+inline constexpr std::uint8_t kShapesDeep = 1;
 
 [[nodiscard]] constexpr bool is_shape_revision(std::uint8_t revision) {
   return revision <= kShapesDeep;
 }
 /// That of coder 1 for what is left, which has many contours and few bytes.
 [[nodiscard]] constexpr std::uint8_t rest_revision(std::uint8_t revision) {
-  return revision == kShapesDeep   ? kContourDeep
-         : revision == kShapesFull ? kContourMax
-                                   : kContourLight;
+  return revision == kShapesDeep ? kContourDeep : kContourLight;
 }
 
-/// log2 of the models' slots per context, a rule of the size only.
+/// log2 of the slots per context of the pixels' models, a rule of the size
+/// only. More than the second caches hold would cost more time than it saves
+/// bytes.
 [[nodiscard]] constexpr int shape_table_bits(std::uint8_t revision,
                                              std::int32_t width,
                                              std::int32_t rows) {
-  const int more = revision == kShapesDeep ? 2 : 0;
-  return (std::int64_t{width} * rows < 1'000'000 ? 14 : 16) + more;
+  const bool small = std::int64_t{width} * rows < 1'000'000;
+  if (revision == kShapesDeep) return small ? 16 : 18;
+  return small ? 14 : 15;
 }
 
 /// The shapes pass for one half of the work, the contours after them for the

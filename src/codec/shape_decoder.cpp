@@ -37,8 +37,10 @@ std::uint64_t scan_memory(std::uint8_t revision, std::int32_t width,
                           std::int32_t rows) {
   const int bits = shape_table_bits(revision, width, rows);
   return revision == kShapesDeep
-             ? ShapeScan<DecoderSide, DeepShapeModels>::memory(width, bits)
-             : ShapeScan<DecoderSide, MixedShapeModels>::memory(width, bits);
+             ? ShapeScan<DecoderSide, DeepShapeModels>::memory(width, rows,
+                                                               bits)
+             : ShapeScan<DecoderSide, MixedShapeModels>::memory(width, rows,
+                                                                bits);
 }
 
 template <class Models>

@@ -15,8 +15,7 @@ namespace unstep::codec {
 /// latest first.
 class ShapeLibrary {
  public:
-  static constexpr int kRankBits = 6;
-  static constexpr std::size_t kOffered = std::size_t{1} << kRankBits;
+  static constexpr std::size_t kOffered = 64;
 
   struct Entry {
     Glyph glyph;

@@ -37,13 +37,14 @@ class ShapeScan {
         room_(shape_room(width, height)),
         memory_(shape_memory),
         pixels_(table_bits),
-        sequence_(Models::make_sequence(width)),
+        sequence_(width, height),
         layout_(width, height) {}
 
   /// Bytes that the models allocate.
-  static std::uint64_t memory(std::int32_t width, int table_bits) {
-    return Models::Pixels::memory(table_bits) + Models::sequence_memory(width) +
-           (1 << 20);
+  static std::uint64_t memory(std::int32_t width, std::int32_t height,
+                              int table_bits) {
+    return Models::Pixels::memory(table_bits) +
+           Models::Sequence::memory(width, height) + (1 << 20);
   }
 
   /// corrupt if the payload is damaged, limit_exceeded if the memory does not
@@ -76,6 +77,8 @@ class ShapeScan {
 
  private:
   using Past = ShapePast;
+  /// Of a shape's sides and place against what it refers to.
+  static constexpr std::int64_t kMostChange = 4;
   static constexpr std::uint64_t kOften = 1 << 16;  ///< pixels: some ms
 
   bool one(const PlacedShape& truth) {
@@ -129,10 +132,9 @@ class ShapeScan {
          join_values(3, a.klass, b.klass, c.klass), join_values(4, a.id, a.gap),
          join_values(5, a.width, a.height, fresh)});
     if (klass >= library_.classes()) return false;
-    const auto rank = static_cast<std::size_t>(sequence_.small(
+    const auto rank = static_cast<std::size_t>(sequence_.number(
         coder, ShapeSequence::kRank,
-        known ? static_cast<unsigned>(library_.rank(truth.reference)) : 0U,
-        ShapeLibrary::kRankBits,
+        known ? static_cast<std::uint32_t>(library_.rank(truth.reference)) : 0U,
         {0, join_values(1, klass), join_values(2, library_.offered(klass)),
          join_values(3, klass, a.id), join_values(4, a.same),
          join_values(5, klass, a.klass)}));
@@ -152,13 +154,15 @@ class ShapeScan {
       shape.glyph = model;
       return true;
     }
+    bool near = true;
     const auto small = [&](std::uint8_t field, std::int32_t value) {
-      const auto read = sequence_.small(
-          coder, field, known ? static_cast<unsigned>(value + 4) & 7U : 0U, 3,
+      const std::int64_t read = sequence_.signed_number(
+          coder, field, known ? value : 0,
           {0, join_values(1, klass), join_values(2, a.klass),
            join_values(3, model.height), join_values(4, model.width),
            join_values(5, shape.reference)});
-      return static_cast<std::int32_t>(read) - 4;
+      near = near && std::abs(read) <= kMostChange;
+      return near ? static_cast<std::int32_t>(read) : 0;
     };
     const std::int32_t width =
         model.width +
@@ -166,12 +170,12 @@ class ShapeScan {
     const std::int32_t height =
         model.height +
         small(ShapeSequence::kHeight, truth.glyph.height - model.height);
-    if (width < 1 || height < 1 || width > kMaxShapeSide ||
+    shape.dx = small(ShapeSequence::kAlignX, truth.dx);
+    shape.dy = small(ShapeSequence::kAlignY, truth.dy);
+    if (!near || width < 1 || height < 1 || width > kMaxShapeSide ||
         height > kMaxShapeSide) {
       return false;
     }
-    shape.dx = small(ShapeSequence::kAlignX, truth.dx);
-    shape.dy = small(ShapeSequence::kAlignY, truth.dy);
     shape.glyph = Glyph(width, height);
     return true;
   }

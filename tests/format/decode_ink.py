@@ -68,13 +68,14 @@ class Scan:
                 self.cracks, 14 if size < 40000 else
                 16 if size < 2000000 else 18, table)
         else:
+            light = revision == 3
             small, middle, large, huge = (
-                (14, 16, 19, 19) if revision == 1 else (13, 15, 17, 15))
+                (14, 16, 19, 19) if revision == 1 else
+                (13, 15, 17 - light, 15))
             table_bits = (small if size < 40000 else
                           middle if size < 2000000 else
                           large if size <= 24000000 else huge)
-            self.turns = TurnModel(self.cracks, table_bits, table,
-                                   light=revision == 3)
+            self.turns = TurnModel(self.cracks, table_bits, table, light=light)
         self.starts = (DeepStartModel if revision == 4 else StartModel)(
             self.cracks, table, words)
         self.spans = revision != 4  # the deep model knows none
@@ -221,7 +222,7 @@ def decode(data, trace=False):
         if name[1] == 3:
             name, at = (name[0], data[at], data[at + 1]), at + 2
     if name not in ((1, 0, 1), (1, 1, 1), (1, 2, 1), (1, 4, 1), (2, 0, 1),
-                    (2, 1, 1), (2, 2, 1), (3, 0, 0), (3, 1, 0), (4, 0, 0),
+                    (2, 1, 1), (3, 0, 0), (3, 1, 0), (4, 0, 0),
                     (4, 1, 0), (4, 2, 0)):
         raise Damaged("another coder than 1 to 4")
     head, stored, payload = data[4:at], data[at:at + 4], data[at + 4:]
@@ -235,9 +236,9 @@ def decode(data, trace=False):
     else:
         contours = name[1]
         if name[0] == 2:
-            (DeepShapes if name[1] == 2 else Shapes)(
+            (DeepShapes if name[1] else Shapes)(
                 coder, width, height).run(image)
-            contours = (3, 1, 4)[name[1]]
+            contours = 4 if name[1] else 3
         Scan(coder, width, height, contours).run(image)
     coder.check_end()
     pbm = b""

@@ -1,20 +1,12 @@
 """Sections "Deep numbers of shapes" and "Deep pixels of shapes" of
 docs/format.md."""
-from collections import namedtuple
-
 from deep import Deep
 from entropy import K, M64, STRETCH, clamp
 from pixels import Pixels
-from shapes import CLASS, GAP, NEW_LINE, REFERS, RISE, SIDE, Numbers, Shapes
+from shape_numbers import (CLASS, GAP, KEPT, NEW_LINE, REFERS, RISE, SIDE,
+                           History, u)
+from shapes import Shapes
 from turns import mix
-
-Fact = namedtuple("Fact", "klass gap rise x bottom w h fresh")
-NONE = Fact(0, 0, 0, 0, 0, 0, 0, 0)
-KEPT = 1 << 16
-
-
-def u(number):
-    return number & M64
 
 
 class Repeat:
@@ -36,7 +28,7 @@ class Repeat:
         h = 0
         for k in range(self.minimum):
             h = mix(h, look(last - k))
-        key = (h * K & M64) >> 48
+        key = (h * K & M64) >> 50
         head, self.heads[key] = self.heads.get(key, 0), last + 1
         if self.n == 0 and head > 0 and last - head < KEPT // 2:
             same = 0
@@ -46,51 +38,16 @@ class Repeat:
             self.at, self.n = head, same if same >= self.minimum else 0
 
 
-class DeepNumbers(Numbers):
+class DeepNumbers(History):
     def __init__(self, coder):
         super().__init__(coder)
         self.deep = Deep(18, 0, 18, 2)
-        self.facts = [NONE]
         self.repeats = Repeat(2), Repeat(5)
-        self.columns = {}
-        self.word = self.last_word = self.line_class = 0
-        self.begin((0, 0, 0, 0, 0))
-        self.kind = 0
-
-    def begin(self, pen):
-        """pen: X, base, line X, line base, in line."""
-        self.pen, self.kind = pen, 2
-        self.refers = self.klass = self.id = self.gap = 0
-        self.find_above()
-
-    def last(self, k):
-        return self.facts[-1 - k] if k < len(self.facts) - 1 else NONE
-
-    def find_above(self):
-        fresh = self.kind == 1
-        self.start, self.base = self.pen[2:4] if fresh else self.pen[:2]
-        above = []
-        for x in range(max(0, self.start - (40 if fresh else 3)),
-                       self.start + 120):
-            other = self.columns.get(x, 0)
-            if other == 0 or len(self.facts) - 1 - other >= KEPT:
-                continue
-            rise = self.base - self.facts[other].bottom
-            if (-200 if fresh else 4) <= rise <= 400:
-                above.append(other)
-        self.above = (above + [0, 0])[:2]
 
     def remember(self, *values):
-        fact = Fact(*values)
-        self.facts.append(fact)
-        if fact.fresh:
-            self.word, self.line_class = 0, fact.klass
-        elif fact.gap > 12:
-            self.last_word, self.word = self.word, 0
-        self.word = mix(self.word, fact.klass)
+        super().remember(*values)
         for repeat in self.repeats:
             repeat.push(self.facts)
-        self.columns[fact.x] = len(self.facts) - 1
 
     def foretold(self, field, repeat):
         if repeat.n == 0:
@@ -105,8 +62,7 @@ class DeepNumbers(Numbers):
     def more(self, field):
         a, b, c, d = (self.last(k) for k in range(4))
         over, klass, line = self.facts[self.above[0]], self.klass, self.pen[4]
-        step = [u(self.facts[i].x - self.start if i else -999)
-                for i in self.above]
+        step = self.step
         if field == GAP:
             return [self.start, step[0], mix(step[0], step[1]),
                     mix(mix(klass, step[0]), over.klass),
@@ -150,35 +106,6 @@ class DeepNumbers(Numbers):
                                              else 20),
              2 * field + (node > 64)], [first, lengths[0]], field, 0, "shape")
 
-    def flag(self, field, values):
-        self.look(field, values)
-        bit = super().flag(field, values)
-        if field == NEW_LINE:
-            self.kind = bit
-            self.find_above()
-        elif field == REFERS:
-            self.refers = bit
-        return bit
-
-    def small(self, field, digits, values):
-        self.look(field, values)
-        return super().small(field, digits, values)
-
-    def number(self, field, values, sizes=0):
-        if field == CLASS:
-            self.look(field, values)
-        value = super().number(field, values, sizes)
-        if field == CLASS:
-            self.klass = value + 1
-        return value
-
-    def signed(self, field, values):
-        self.look(field, values)
-        value = super().signed(field, values)
-        if field == GAP:
-            self.gap = value
-        return value
-
 
 def middle(d):
     return d // 2 if d >= 0 else -(-d // 2)
@@ -195,8 +122,9 @@ class DeepPixels(Pixels):
 
     def __init__(self, coder, size):
         super().__init__(coder, size)
-        self.free = Deep(16, 1, self.b + 2, 2)
-        self.told = Deep(20, 1, self.b + 2, 2)
+        bits = 16 if size < 1000000 else 18
+        self.free = Deep(16, 1, bits, 2)
+        self.told = Deep(20, 1, bits, 2)
 
     def edge(self, j):
         return edge([self.P(i, i, j) for i in range(-8, 11)], 19)

@@ -2,15 +2,42 @@
 from entropy import K, M64, STRETCH, Mixer, Refiner, clamp, move, squash, top, update
 
 
+class SlotMixer:
+    """Eight contexts of 2^b slots that are checked, mixed and refined."""
+
+    def __init__(self, b, vectors):
+        self.b, self.slots = b, [{} for _ in range(8)]
+        self.mixer = Mixer(vectors, ([768] * 16,))
+        self.refiner = Refiner()
+
+    def decode(self, coder, values, vectors):
+        counters, places = [], []
+        for table, v in zip(self.slots, values):
+            hashed = v * K & M64
+            check = hashed >> 40 & 255
+            place = top(self.b, hashed)
+            old, p, n = table.get(place, (0, 32768, 0))
+            counters.append((p, n) if old == check else (32768, 0))
+            places.append((table, place, check))
+        x = [STRETCH[p >> 4] for p, n in counters]
+        x += [(p - 32768) * 51 * min(n, 30) >> 16 for p, n in counters]
+        mean = self.mixer.mean(x, vectors)
+        p = (squash(mean) + self.refiner.refine(mean, vectors[0])) // 2
+        bit = coder.decode(clamp(p, 24, 65512), "pixel")
+        self.refiner.learn(bit)
+        self.mixer.learn(bit)
+        for (p, n), (table, place, check) in zip(counters, places):
+            table[place] = check, move(p, n, bit), min(255, n + 1)
+        return bit
+
+
 class Pixels:
     RARE = 6000
 
     def __init__(self, coder, size):
-        self.coder, self.b = coder, 14 if size < 1000000 else 16
+        self.coder = coder
         self.runs, self.gates = {}, {}
-        self.slots = [{} for _ in range(8)]
-        self.mixer = Mixer((1024, 256), ([768] * 16,))
-        self.refiner = Refiner()
+        self.mixer = SlotMixer(14 if size < 1000000 else 15, (1024, 256))
 
     def shape(self, w, h, R, dx, dy):
         """Rows of pixels; R is the shape that it refers to, or None."""
@@ -145,24 +172,4 @@ class Pixels:
                 near]
             vectors = (P(-3, -1, 0) | P(-2, 3, -1) << 3,
                        corner | P(-1, 0, -2) << 5)
-        return self.mixed(values, vectors)
-
-    def mixed(self, values, vectors):
-        counters, places = [], []
-        for table, v in zip(self.slots, values):
-            hashed = v * K & M64
-            check = hashed >> 40 & 255
-            place = top(self.b, hashed)
-            old, p, n = table.get(place, (0, 32768, 0))
-            counters.append((p, n) if old == check else (32768, 0))
-            places.append((table, place, check))
-        x = [STRETCH[p >> 4] for p, n in counters]
-        x += [(p - 32768) * 51 * min(n, 30) >> 16 for p, n in counters]
-        mean = self.mixer.mean(x, vectors)
-        p = (squash(mean) + self.refiner.refine(mean, vectors[0])) // 2
-        bit = self.coder.decode(clamp(p, 24, 65512), "pixel")
-        self.refiner.learn(bit)
-        self.mixer.learn(bit)
-        for (p, n), (table, place, check) in zip(counters, places):
-            table[place] = check, move(p, n, bit), min(255, n + 1)
-        return bit
+        return self.mixer.decode(self.coder, values, vectors)

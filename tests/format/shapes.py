@@ -1,14 +1,15 @@
-"""Sections "Shapes" and "Numbers of shapes" of docs/format.md."""
+"""Section "Shapes" of docs/format.md."""
 from collections import namedtuple
 
-from entropy import K, STRETCH, Damaged, Mixer, clamp, top, update
+from entropy import Damaged, clamp
 from pixels import Pixels
+from shape_numbers import (CLASS, DX, DY, GAP, MORE, MORE_HEIGHT, MORE_WIDTH,
+                           NEW_LINE, RANK, REFERS, RISE, SAME, SIDE,
+                           MixedNumbers)
 from turns import mix
 
 Known = namedtuple("Known", "klass id gap rise w h refers same")
 NONE = Known(0, 0, 0, 0, 0, 0, 0, 0)
-(MORE, NEW_LINE, REFERS, CLASS, RANK, SAME, MORE_WIDTH, MORE_HEIGHT, SIDE, DX,
- DY, GAP, RISE) = range(13)
 
 
 def join(t, a, b=0, c=0):
@@ -21,67 +22,10 @@ def clip(v, k):
     return clamp(v, -k, k) + k
 
 
-class Numbers:
-    def __init__(self, coder):
-        self.coder = coder
-        self.counters = [{} for _ in range(6)]
-        self.mixer = Mixer((1024, 1024), ([1024] * 12 + [0] * 4,))
-
-    def begin(self, pen):
-        pass
-
-    def remember(self, *fact):
-        pass
-
-    def decide(self, field, values, node):
-        name = (field << 27) + node
-        counters = [table.setdefault(top(16, mix(v + i, name) * K),
-                                     [32768, 0])
-                    for i, (table, v) in enumerate(zip(self.counters, values))]
-        x = []
-        for p, n in counters:
-            x += [STRETCH[p >> 4], (p - 32768) * 51 * min(n, 30) >> 16]
-        p = self.mixer.predict(x + [77, 0, 0, 0],
-                               (72 * field + min(node, 71), field))
-        bit = self.coder.decode(clamp(p, 8, 65528), "shape")
-        self.mixer.learn(bit)
-        for counter in counters:
-            update(counter, bit)
-        return bit
-
-    def flag(self, field, values):
-        return self.decide(field, values, 0)
-
-    def small(self, field, digits, values):
-        node = 1
-        for _ in range(digits):
-            node = 2 * node + self.decide(field, values, node)
-        return node - (1 << digits)
-
-    def number(self, field, values, sizes=0):
-        w = 0
-        while w < 31 and self.decide(field, values, sizes + w):
-            w += 1
-        if w == 0:
-            return 0
-        u = 1
-        for i in range(w - 2, -1, -1):
-            node = 256 + (sizes << 18) + (w << 12) + min(u, 1023 + i)
-            u = 2 * u + self.decide(field, values, node)
-        return u
-
-    def signed(self, field, values):
-        if self.decide(field, values, 64):
-            return 0
-        if self.decide(field, values, 65):
-            return -1 - self.number(field, values, 32)
-        return 1 + self.number(field, values)
-
-
 class Shapes:
     def __init__(self, coder, width, rows):
         self.width, self.rows = width, rows
-        self.numbers = Numbers(coder)
+        self.numbers = MixedNumbers(coder, width * rows)
         self.pixels = Pixels(coder, width * rows)
         self.room = 4 * width * rows + 65536
         self.shapes = []   # by number: rows of pixels
@@ -148,7 +92,7 @@ class Shapes:
         if C >= len(self.classes):
             raise Damaged("no such class")
         ids = self.classes[C]
-        rank = numbers.small(RANK, 6, (
+        rank = numbers.number(RANK, (
             0, join(1, C), join(2, len(ids)), join(3, C, a.id),
             join(4, a.same), join(5, C, a.klass)))
         if rank >= len(ids):
@@ -164,12 +108,13 @@ class Shapes:
     def sides_like(self, C, R, w, h):
         values = (0, join(1, C), join(2, self.last[0].klass), join(3, h),
                   join(4, w), join(5, R))
-        w, h, dx, dy = (old + self.numbers.small(field, 3, values) - 4
-                        for field, old in ((MORE_WIDTH, w), (MORE_HEIGHT, h),
-                                           (DX, 0), (DY, 0)))
-        if not (1 <= w <= 255 and 1 <= h <= 255):
+        more = [self.numbers.signed(field, values)
+                for field in (MORE_WIDTH, MORE_HEIGHT, DX, DY)]
+        w, h = w + more[0], h + more[1]
+        if (max(map(abs, more)) > 4 or not 1 <= w <= 255
+                or not 1 <= h <= 255):
             raise Damaged("sides of a shape")
-        return w, h, dx, dy
+        return w, h, *more[2:]
 
     def side(self, other):
         a = self.last[0]

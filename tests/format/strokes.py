@@ -1,8 +1,9 @@
 """Section "Coder 25: strokes" of docs/format.md."""
 from collections import namedtuple
 
-from entropy import K, STRETCH, Damaged, Interval, clamp, top, update
-from shapes import GAP, NONE, RISE, Known, Numbers, clip, join
+from entropy import K, STRETCH, Damaged, Interval, Mixer, clamp, top, update
+from shape_numbers import GAP, RISE, Numbers
+from shapes import NONE, Known, clip, join
 from turns import mix
 from vector_classes import direction, less, size
 from vector_models import texts_of
@@ -16,10 +17,12 @@ Word = namedtuple("Word", "first count box")
 
 
 class Counted(Numbers):
-    """With 2^14 counters a context."""
+    """Six contexts of 2^14 counters."""
 
     def __init__(self):
-        super().__init__(None)
+        self.coder = None
+        self.counters = [{} for _ in range(6)]
+        self.mixer = Mixer((1024, 1024), ([1024] * 12 + [0] * 4,))
 
     def decide(self, field, values, node):
         name = (field << 27) + node

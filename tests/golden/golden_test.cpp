@@ -281,12 +281,6 @@ TEST(Golden, EveryBuildMakesTheSamePayloadsOfMax) {
   expect_payload("contours_blots_max", [](const Bitmap& ink) {
     return codec::encode_contours(ink, 0, ink.height(), codec::kContourMax, {});
   });
-  expect_payload("shapes_text_max", [](const Bitmap& ink) {
-    const std::vector<codec::PlacedShape> shapes =
-        codec::find_shapes(ink, 0, ink.height(), codec::kShapesPay);
-    return codec::encode_shapes(ink, 0, ink.height(), codec::kShapesFull,
-                                shapes, {});
-  });
   expect_payload("contours_rings_deep", [](const Bitmap& ink) {
     return codec::encode_contours(ink, 0, ink.height(), codec::kContourDeep,
                                   {});
