@@ -5,11 +5,6 @@
 namespace unstep::codec {
 namespace {
 
-/// Negative ones modulo 2^64.
-std::uint64_t bits_of(std::int64_t value) {
-  return static_cast<std::uint64_t>(value);
-}
-
 std::uint64_t look_of(const ShapeFact& fact) {
   return std::uint64_t{fact.klass} * 2 + (fact.new_line ? 1 : 0);
 }

@@ -8,7 +8,7 @@
 namespace unstep::codec {
 namespace {
 
-constexpr int kNearRefinerBits = 11;
+constexpr int kRefinerBits = 11;
 
 /// The match's length and what it expects.
 template <class Match>
@@ -22,7 +22,7 @@ std::uint64_t expected_by(const Match& match) {
 // Each is for both nodes.
 const DeepTurnModel::Model::Choice DeepTurnModel::kSizes{
     {64, 1024, 1024, 1024, 2048, 2048, 1024, 512},
-    {2 << kNearRefinerBits, 8192, 2048, 64},
+    {2 << kRefinerBits, 8192, 2048, 64},
     64};
 
 /// The weights of the table for the contexts that it knows, a little smaller
@@ -125,7 +125,7 @@ void DeepTurnModel::look_around() {
 void DeepTurnModel::choose(const Sight& right, const Sight& left,
                            std::uint64_t curve) {
   const std::uint64_t near =
-      (around_ & patch::kNear) * kGolden >> (64 - kNearRefinerBits);
+      (around_ & patch::kNear) * kGolden >> (64 - kRefinerBits);
   const std::uint64_t followed = expected_by(match_);
   const std::uint64_t verdict = dss_.verdict(direction_);
   const auto run = [this](unsigned k) {

@@ -19,7 +19,7 @@ constexpr std::uint32_t kOne = 1 << 12;
 constexpr std::array<std::array<std::int16_t, 8>, 1> kWeights{
     {{3100, 332, 332, 332}}};
 
-std::uint8_t level(std::uint64_t density) {
+std::uint8_t density_level(std::uint64_t density) {
   return static_cast<std::uint8_t>(
       std::min(static_cast<int>(std::bit_width(density >> 6)), 7));
 }
@@ -62,8 +62,9 @@ void FarFlagModel::look(Density& density) {
     const auto near = [w](const std::vector<std::uint32_t>& d) {
       return std::uint64_t{d[w - 1]} + 2 * d[w] + d[w + 1];
     };
-    density.levels[w] = {level(near(quick)), level(near(slow) / 2),
-                         level(wide / 4)};
+    density.levels[w] = {density_level(near(quick)),
+                         density_level(near(slow) / 2),
+                         density_level(wide / 4)};
   }
 }
 

@@ -5,11 +5,6 @@
 namespace unstep::codec {
 namespace {
 
-/// Negative ones modulo 2^64.
-std::uint64_t bits_of(std::int64_t value) {
-  return static_cast<std::uint64_t>(value);
-}
-
 /// log2 of the slots per context.
 int table_bits(std::int32_t width, std::int32_t height) {
   return std::int64_t{width} * height < 1'000'000 ? 14 : 16;

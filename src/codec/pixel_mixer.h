@@ -20,9 +20,9 @@
 namespace unstep::codec {
 
 /// Codes decisions, of pixels above all, under eight hashed contexts, mixed by
-/// two sets of weights; what the mixer says is refined by what followed where it
-/// said the same under the same vector of the first set. A DecisionModel that
-/// checks its slots and is made for vector code.
+/// two sets of weights; what the mixer says is refined by what followed where
+/// it said the same under the same vector of the first set. A DecisionModel
+/// that checks its slots and is made for vector code.
 class PixelMixer {
  public:
   static constexpr std::size_t kContexts = 8;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,6 +33,11 @@ struct ProgramGuess {
   const ProgramMotion* next = nullptr;
   unsigned length = 0;  ///< motions that it has foretold
 };
+
+/// Of the length of a guess: its bits, 0..7.
+[[nodiscard]] inline unsigned length_class(unsigned length) {
+  return std::min(static_cast<unsigned>(std::bit_width(length)), 7U);
+}
 
 /// Remembers the last 2^16 motions and finds earlier ones: the same two
 /// vectors, the same two places, the same place.

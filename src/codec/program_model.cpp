@@ -36,10 +36,6 @@ bool says(std::string_view line, std::string_view word) {
   return false;
 }
 
-unsigned length_class(unsigned length) {
-  return std::min(static_cast<unsigned>(std::bit_width(length)), 7U);
-}
-
 }  // namespace
 
 ProgramModel::ProgramModel(std::uint64_t lines)

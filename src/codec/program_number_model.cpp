@@ -23,10 +23,6 @@ std::uint64_t distance_level(std::int64_t distance) {
 constexpr std::array<std::uint32_t, kProgramWords> kClasses{
     0, 0, 1, 2, 2, 2, 3, 3, 3, 4, 5, 5, 6, 6, 7, 7};
 
-unsigned length_class(unsigned length) {
-  return std::min(static_cast<unsigned>(std::bit_width(length)), 7U);
-}
-
 std::uint64_t word_of(std::int64_t value) {
   return static_cast<std::uint64_t>(value);
 }

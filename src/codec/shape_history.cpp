@@ -7,11 +7,6 @@ namespace {
 
 constexpr std::int32_t kWideGap = 12;  ///< between words
 
-/// Negative ones modulo 2^64.
-std::uint64_t bits_of(std::int64_t value) {
-  return static_cast<std::uint64_t>(value);
-}
-
 }  // namespace
 
 ShapeHistory::ShapeHistory(std::int32_t width)

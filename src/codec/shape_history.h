@@ -10,6 +10,11 @@
 
 namespace unstep::codec {
 
+/// A number as a part of a context: negative ones modulo 2^64.
+[[nodiscard]] constexpr std::uint64_t bits_of(std::int64_t value) {
+  return static_cast<std::uint64_t>(value);
+}
+
 /// What was told of shapes, for models of what is told next: the shapes of
 /// before, those above, and as much of the next shape as is known.
 class ShapeHistory : public ShapeFields {

@@ -165,7 +165,7 @@ std::optional<Vector64> place_on_edge(const Bound& bound, Vector64 from,
 }
 
 /// More starts than these are left to the thorough form.
-constexpr std::size_t kMaxStarts = 64;
+constexpr std::size_t kMaxQuickStarts = 64;
 
 Decision decide_closed(const Bound& bound, const Chain& chain, const Path& path,
                        YAxis axis) {
@@ -176,13 +176,13 @@ Decision decide_closed(const Bound& bound, const Chain& chain, const Path& path,
   Rotation rotation(bound, chain, axis);
   std::size_t tries = 0;
   for (const StartPoint& start : start_points(bound, walk, vertex)) {
-    if (++tries > kMaxStarts) break;
+    if (++tries > kMaxQuickStarts) break;
     if (rotation.from_point(path, start.index, start.at))
       return {Verdict::within, 0};
   }
   if (tries == 0 && bound.unit > 1) {
     ChainWalk edge = walk;
-    for (std::size_t i = 0; i < walk.size() && tries < kMaxStarts; ++i) {
+    for (std::size_t i = 0; i < walk.size() && tries < kMaxQuickStarts; ++i) {
       edge.seek(i);
       const auto place = place_on_edge(bound, edge.at(), edge.move(i), vertex);
       if (!place) continue;

@@ -44,13 +44,6 @@ void invert(GreyPage& grey, Histogram& histogram) {
   std::reverse(histogram.begin(), histogram.end());
 }
 
-void invert(Bitmap& ink) {
-  for (std::int32_t y = 0; y < ink.height(); ++y) {
-    for (std::uint64_t& word : ink.row(y)) word = ~word;
-    ink.row(y).back() &= ink.last_word_mask();
-  }
-}
-
 void threshold_at(GreyPage& grey, int level, Bitmap& ink) {
   for (std::int32_t y = 0; y < ink.height(); ++y) {
     pack_below(grey.row(y), static_cast<std::uint32_t>(level), ink.row(y));
@@ -235,6 +228,13 @@ Status binarise(GreyPage grey, const RasterReadOptions& options,
     return {};
   }
   return threshold_locally(grey, otsu, threshold.kind, page);
+}
+
+void invert(Bitmap& ink) {
+  for (std::int32_t y = 0; y < ink.height(); ++y) {
+    for (std::uint64_t& word : ink.row(y)) word = ~word;
+    ink.row(y).back() &= ink.last_word_mask();
+  }
 }
 
 void invert_ink(Invert wanted, RasterPage& page) {

@@ -48,6 +48,9 @@ void pack_below(std::span<const std::uint8_t> row, std::uint32_t level,
 Status binarise(GreyPage grey, const RasterReadOptions& options,
                 std::uint64_t other_bytes, RasterPage& page);
 
+/// Ink and paper change places.
+void invert(Bitmap& ink);
+
 /// Ink and paper change places if that is wanted. In a lossless page their
 /// colours do too, so that nothing is lost.
 void invert_ink(PixelWork::Invert wanted, RasterPage& page);

@@ -15,6 +15,11 @@ namespace unstep {
 /// widened by repetition (0xab -> 0xabab), so equality is exact.
 using Colour = std::uint64_t;
 
+/// An 8-bit sample as 16 bits.
+[[nodiscard]] constexpr std::uint32_t widen(std::uint32_t sample) {
+  return sample * 257;
+}
+
 inline constexpr Colour kBlack = 0;
 inline constexpr Colour kWhite = 0xffff'ffff'ffffU;
 

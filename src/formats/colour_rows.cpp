@@ -48,13 +48,6 @@ Result<Values> pack(ColourRows& rows, Bitmap& ink) {
   return values;
 }
 
-void invert(Bitmap& ink) {
-  for (std::int32_t y = 0; y < ink.height(); ++y) {
-    for (std::uint64_t& word : ink.row(y)) word = ~word;
-    ink.row(y).back() &= ink.last_word_mask();
-  }
-}
-
 /// Turns "second value" into "ink".
 void settle(const Values& values, RasterPage& page) {
   const Colour first = *values.first;

@@ -6,14 +6,14 @@
 #include <numbers>
 #include <utility>
 
+#include "formats/format_reader.h"
 #include "formats/text.h"
 
 namespace unstep {
 namespace {
 
-constexpr int kMaxDepth = 32;  ///< blocks in blocks
+constexpr int kMaxInserts = 32;  ///< blocks in blocks
 constexpr std::uint64_t kEntityMemory = 256;
-constexpr std::size_t kNamedKinds = 12;
 constexpr std::size_t kMaxDegree = 3;  ///< of splines
 
 RealPoint point(const DxfRecord& record, int code) {
@@ -353,10 +353,10 @@ Status DxfEntities::insert(const DxfRecord& record, const Affine& transform,
     leave_out("INSERT of an unknown block");
     return {};
   }
-  if (depth >= kMaxDepth) {
+  if (depth >= kMaxInserts) {
     return at(record, {ErrorCode::limit_exceeded,
                        "blocks in blocks more than " +
-                           std::to_string(kMaxDepth) + " deep"});
+                           std::to_string(kMaxInserts) + " deep"});
   }
   const RealPoint where = point(record, 10);
   const RealPoint turn = on_circle({}, 1, record.real(50, 0));

@@ -4,22 +4,13 @@
 #include <cmath>
 #include <string>
 
+#include "formats/characters.h"
 #include "formats/text_scanner.h"
 
 namespace unstep {
 namespace {
 
 constexpr int kComment = 999;
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && TextScanner::is_blank(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && TextScanner::is_blank(text.back())) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -7,6 +8,9 @@
 
 /// The readers of vector formats; read_vector chooses among them.
 namespace unstep {
+
+/// So many kinds of what is left out are named, the rest is "other".
+inline constexpr std::size_t kNamedKinds = 12;
 
 Result<std::vector<VectorPage>> read_svg(std::string_view bytes,
                                          const VectorReadOptions& options);

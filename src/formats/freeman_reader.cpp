@@ -5,16 +5,12 @@
 #include <string>
 #include <utility>
 
+#include "formats/characters.h"
 #include "unstep/formats.h"
 
 /// Freeman chain text, docs/freeman.md.
 namespace unstep {
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 struct Keyword {
   std::string_view word;

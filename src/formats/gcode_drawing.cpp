@@ -8,13 +8,12 @@
 #include "formats/gcode_number.h"
 #include "formats/gcode_tool.h"
 #include "formats/outline.h"
+#include "program/units.h"
 #include "unstep/program.h"
 
 /// Drawings to programs. docs/cnc.md, "From a drawing".
 namespace unstep {
 namespace {
-
-constexpr double kPerMm = static_cast<double>(kProgramUnitsPerMm);
 
 /// Of lines that stand for an arc, mm.
 constexpr double kFlatLimit = 0.002;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "formats/characters.h"
 #include "formats/gcode_reader_block.h"
 
 namespace unstep {
@@ -28,11 +29,10 @@ constexpr std::array<KeyName, 15> kKeys{{{GcodeFlowKey::sub, "sub"},
                                          {GcodeFlowKey::leave, "break"},
                                          {GcodeFlowKey::next, "continue"}}};
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_space(char c) { return c == ' ' || c == '\t'; }
 
 std::size_t skip_blanks_of(std::string_view text, std::size_t at) {
-  while (at < text.size() && is_blank(text[at])) ++at;
+  while (at < text.size() && is_space(text[at])) ++at;
   return at;
 }
 std::size_t skip_digits(std::string_view text, std::size_t at) {
@@ -73,8 +73,7 @@ std::size_t read_flow_label(std::string_view text, std::string& label) {
   const std::size_t end = text.find('>');
   if (end == std::string_view::npos) return 0;
   for (const char c : text.substr(0, end)) {
-    if (is_blank(c)) continue;
-    label += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    if (!is_space(c)) label += to_upper(c);
   }
   return label.size() > 1 ? end + 1 : 0;
 }

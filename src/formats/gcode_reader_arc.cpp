@@ -5,12 +5,11 @@
 #include <cstdio>
 
 #include "program/arc_geometry.h"
+#include "program/units.h"
 #include "unstep/program.h"
 
 namespace unstep {
 namespace {
-
-constexpr double kPerMm = static_cast<double>(kProgramUnitsPerMm);
 
 std::string in_mm(double length) {
   std::array<char, 40> text{};

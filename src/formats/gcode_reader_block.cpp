@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formats/characters.h"
+
 namespace unstep {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-}
 
 constexpr std::string_view kLengthLetters = "XYZUVW";
 constexpr std::uint32_t kLengths = [] {
@@ -111,7 +105,7 @@ bool GcodeLineReader::read_words(GcodeBlock& block) {
       if (block.kind == GcodeBlock::Kind::blank) {
         block.kind = GcodeBlock::Kind::words;
       }
-      if (!read_word(upper(c), block)) return false;
+      if (!read_word(to_upper(c), block)) return false;
     } else if (c == '(' || c == ';') {
       if (!read_comment(block)) return false;
     } else if (c == '#') {

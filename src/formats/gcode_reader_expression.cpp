@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "formats/characters.h"
 #include "formats/gcode_reader_block.h"
 
 /// Expressions and parameters of RS274/NGC: [1 + #2], #<name>, COS[30].
@@ -52,14 +53,10 @@ constexpr std::array<OperatorWord, 16> kOperators{{{"**", op_power, 5},
                                                    {"XOR", op_xor, 1},
                                                    {"", no_operation, 0}}};
 
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-}
-
 bool begins_with(std::string_view text, std::string_view word) {
   if (text.size() < word.size()) return false;
   for (std::size_t i = 0; i < word.size(); ++i) {
-    if (upper(text[i]) != word[i]) return false;
+    if (to_upper(text[i]) != word[i]) return false;
   }
   return true;
 }
@@ -110,7 +107,7 @@ bool GcodeLineReader::read_operand(Number& result, int depth) {
     Parameter parameter;
     if (!read_parameter(parameter, depth + 1)) return false;
     result = parameters_.value_of(parameter);
-  } else if (upper(c) >= 'A' && upper(c) <= 'Z') {
+  } else if (to_upper(c) >= 'A' && to_upper(c) <= 'Z') {
     if (!read_function(result, depth + 1)) return false;
   } else {
     return fail("expected a number");
@@ -190,8 +187,8 @@ bool GcodeLineReader::apply(int operation, Number& left, const Number& right) {
 
 bool GcodeLineReader::read_function(Number& result, int depth) {
   std::string name;
-  while (upper(peek()) >= 'A' && upper(peek()) <= 'Z') {
-    name += upper(peek());
+  while (to_upper(peek()) >= 'A' && to_upper(peek()) <= 'Z') {
+    name += to_upper(peek());
     ++at_;
     if (name.size() > 8) break;
   }
@@ -274,7 +271,7 @@ std::string GcodeLineReader::read_name() {
   for (++at_; at_ < line_.size() && line_[at_] != '>'; ++at_) {
     const char c = line_[at_];
     if (c == ' ' || c == '\t') continue;
-    name += upper(c);
+    name += to_upper(c);
   }
   if (at_ == line_.size()) return {};
   ++at_;

@@ -7,6 +7,7 @@
 
 #include "formats/gcode_reader_arc.h"
 #include "formats/gcode_reader_class.h"
+#include "program/units.h"
 
 /// Lines that move.
 namespace unstep {
@@ -15,8 +16,6 @@ namespace {
 constexpr std::uint16_t axis_bit(std::size_t axis) {
   return static_cast<std::uint16_t>(1U << axis);
 }
-constexpr std::size_t kAxisE = 9;
-constexpr std::uint16_t kAngles = 7U << 3;
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 
 #include "formats/gcode_number.h"
 #include "program/arc_geometry.h"
+#include "program/units.h"
 #include "unstep/program.h"
 
 /// Items to lines of G-code. docs/cnc.md, "What is written".
@@ -18,8 +19,6 @@ using Kind = ProgramItem::Kind;
 using ArcForm = GcodeWriteOptions::ArcForm;
 
 constexpr double kPerUnit = static_cast<double>(kProgramUnitsPerMm);
-constexpr std::uint16_t kAngles = 7U << 3;
-constexpr std::size_t kAxisE = 9;
 
 /// A text that no control acts upon.
 bool is_remark(std::string_view text) {

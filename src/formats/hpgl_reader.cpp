@@ -21,7 +21,6 @@ namespace {
 
 constexpr double kUnitsPerInch = 1016;
 constexpr double kUnitsPerMillimetre = 40;
-constexpr std::size_t kNamedKinds = 12;
 
 /// P1 and P2 of an HP 7475A with A4 paper, where IP says nothing.
 constexpr std::array<double, 4> kDefaultCorners{603, 521, 10603, 7721};

@@ -7,9 +7,7 @@
 namespace unstep {
 namespace {
 
-bool is_filler(char c) {
-  return TextScanner::is_blank(c) || c == ';' || c == '\0';
-}
+bool is_filler(char c) { return is_blank(c) || c == ';' || c == '\0'; }
 
 char capital(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -23,8 +21,7 @@ void HpglScanner::skip_escape() {
   const char kind = at_ < text_.size() ? text_[at_] : '\0';
   if (kind == '.') {
     at_ += 2;
-    while (at_ < text_.size() &&
-           (TextScanner::is_digit(text_[at_]) || text_[at_] == ';')) {
+    while (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == ';')) {
       ++at_;
     }
     if (at_ < text_.size() && text_[at_] == ':') ++at_;
@@ -45,14 +42,14 @@ Status HpglScanner::read_values(std::vector<double>& values) {
     scanner.skip_separator();
     const char c = scanner.peek();
     if (scanner.at_end() || c == ';' || c == '\0' || c == '\x1b' ||
-        TextScanner::is_letter(c)) {
+        is_letter(c)) {
       break;
     }
     // HPGL has no exponents: "E" begins an instruction.
     std::string_view rest = scanner.rest();
     std::size_t length = c == '-' || c == '+' ? 1 : 0;
     while (length < rest.size() &&
-           (TextScanner::is_digit(rest[length]) || rest[length] == '.')) {
+           (is_digit(rest[length]) || rest[length] == '.')) {
       ++length;
     }
     TextScanner one(rest.substr(0, length));
@@ -82,8 +79,8 @@ Result<std::string_view> HpglScanner::next(std::vector<double>& values) {
   }
   begin_ = at_;
   if (at_ >= text_.size()) return std::string_view{};
-  if (at_ + 1 >= text_.size() || !TextScanner::is_letter(text_[at_]) ||
-      !TextScanner::is_letter(text_[at_ + 1])) {
+  if (at_ + 1 >= text_.size() || !is_letter(text_[at_]) ||
+      !is_letter(text_[at_ + 1])) {
     return Error{any_ ? ErrorCode::corrupt : ErrorCode::bad_magic,
                  "byte " + std::to_string(at_) +
                      ": expected an instruction of two letters"};

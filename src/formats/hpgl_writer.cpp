@@ -20,7 +20,7 @@ constexpr double kDefaultUnits = 10;
 constexpr std::int64_t kFarthest = 32767;
 
 /// Where arcs must become lines: their distance in plotter units.
-constexpr double kFlatLimit = 0.25;
+constexpr double kFlatUnits = 0.25;
 
 class HpglWriter : public OutlineWriter {
  public:
@@ -132,7 +132,7 @@ void HpglWriter::draw_arc(WidePoint from, const Piece& arc) {
   const auto fx = static_cast<double>(from.x);
   const auto fy = static_cast<double>(from.y);
   if (unit_.x != unit_.y) {
-    flatten(arc, kFlatLimit / std::max(unit_.x, unit_.y),
+    flatten(arc, kFlatUnits / std::max(unit_.x, unit_.y),
             [&](double x, double y) { line_to(plotted(fx + x, fy + y)); });
     return;
   }

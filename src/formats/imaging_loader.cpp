@@ -9,16 +9,16 @@
 namespace unstep::imaging {
 namespace {
 
-struct Module {
+struct ImagingModule {
   decltype(&unstep_imaging_threshold) threshold = nullptr;
   decltype(&unstep_imaging_skew) skew = nullptr;
   decltype(&unstep_imaging_turn) turn = nullptr;
   decltype(&unstep_imaging_remove) remove = nullptr;
 };
 
-Result<Module> imaging_module() {
+Result<ImagingModule> imaging_module() {
   static std::mutex mutex;
-  static Module module;
+  static ImagingModule module;
   const std::lock_guard lock(mutex);
   if (module.threshold != nullptr) return module;
   const Result<void*> handle = load_module(
@@ -39,7 +39,7 @@ Result<Module> imaging_module() {
 /// Calls a function of the module with a reason.
 template <class Call>
 Status call(const Call& function) {
-  const Result<Module> module = imaging_module();
+  const Result<ImagingModule> module = imaging_module();
   if (!module) return module.error();
   std::array<char, 300> reason{};
   if (function(*module, unstep_reason{reason.data(), reason.size()}) == 0) {
@@ -68,7 +68,7 @@ Result<PageLight> threshold(GreyPage& grey, Threshold::Kind kind, Bitmap& ink) {
   const unstep_plane plane = plane_of(grey);
   unstep_bits bits = bits_of(ink);
   unstep_page_light light{};
-  Status done = call([&](const Module& module, unstep_reason reason) {
+  Status done = call([&](const ImagingModule& module, unstep_reason reason) {
     return module.threshold(&plane, method, &light, &bits, reason);
   });
   if (!done) return done.error();
@@ -79,7 +79,7 @@ Result<PageLight> threshold(GreyPage& grey, Threshold::Kind kind, Bitmap& ink) {
 Result<double> skew(GreyPage& grey, int level) {
   const unstep_plane plane = plane_of(grey);
   double degrees = 0;
-  Status done = call([&](const Module& module, unstep_reason reason) {
+  Status done = call([&](const ImagingModule& module, unstep_reason reason) {
     return module.skew(&plane, level, &degrees, reason);
   });
   if (!done) return done.error();
@@ -89,7 +89,7 @@ Result<double> skew(GreyPage& grey, int level) {
 Status turn(GreyPage& grey, double degrees, std::uint8_t paper, GreyPage& out) {
   const unstep_plane plane = plane_of(grey);
   unstep_plane turned = plane_of(out);
-  return call([&](const Module& module, unstep_reason reason) {
+  return call([&](const ImagingModule& module, unstep_reason reason) {
     return module.turn(&plane, degrees, paper, &turned, reason);
   });
 }
@@ -98,7 +98,7 @@ Result<Removed> remove_small_pieces(Bitmap& ink, std::uint64_t area,
                                     bool of_paper) {
   unstep_bits bits = bits_of(ink);
   Removed removed;
-  Status done = call([&](const Module& module, unstep_reason reason) {
+  Status done = call([&](const ImagingModule& module, unstep_reason reason) {
     return module.remove(&bits, area, of_paper ? 1 : 0, &removed.pieces,
                          &removed.pixels, reason);
   });

@@ -9,14 +9,14 @@
 namespace unstep {
 namespace {
 
-struct Module {
+struct OpencvModule {
   decltype(&unstep_opencv_decode) decode = nullptr;
   decltype(&unstep_opencv_release) release = nullptr;
 };
 
-Result<Module> opencv_module() {
+Result<OpencvModule> opencv_module() {
   static std::mutex mutex;
-  static Module module;
+  static OpencvModule module;
   const std::lock_guard lock(mutex);
   if (module.decode != nullptr) return module;
   const Result<void*> handle =
@@ -33,7 +33,7 @@ Result<Module> opencv_module() {
 }  // namespace
 
 Result<OpencvImage> OpencvImage::decode(std::span<const std::uint8_t> bytes) {
-  const Result<Module> module = opencv_module();
+  const Result<OpencvModule> module = opencv_module();
   if (!module) return module.error();
   OpencvImage image;
   std::array<char, 300> reason{};
@@ -50,7 +50,7 @@ OpencvImage::OpencvImage(OpencvImage&& other) noexcept
 OpencvImage::~OpencvImage() {
   if (image_.owner == nullptr) return;
   // Loaded, because it made the image.
-  if (const Result<Module> module = opencv_module(); module) {
+  if (const Result<OpencvModule> module = opencv_module(); module) {
     module->release(&image_);
   }
 }
@@ -62,7 +62,6 @@ Status OpencvImage::start() {
 
 Status OpencvImage::next(std::span<Colour> row) {
   const std::uint8_t* pixel = image_.pixels + image_.stride * y_++;
-  constexpr auto widen = [](unsigned sample) { return sample * 257; };
   for (Colour& colour : row) {
     if (image_.channels == 1) {
       colour = make_grey(widen(pixel[0]));

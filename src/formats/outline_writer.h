@@ -4,6 +4,9 @@
 
 namespace unstep {
 
+/// Grid units that a written arc may deviate by for a short text.
+inline constexpr double kArcLimit = 1.0 / 1024;
+
 /// A format that draws outlines, chains as well as paths, its y growing to one
 /// side whatever the drawing's does.
 class OutlineWriter : public FormatWriter {

@@ -18,9 +18,6 @@ namespace {
 constexpr double kPointsPerInch = 72;
 constexpr double kLongestSide = 14400;  ///< points, of PDF 1.4 viewers
 
-/// Deviation of an arc in grid units that Beziers may cost.
-constexpr double kArcLimit = 1.0 / 1024;
-
 /// How far a cubic Bezier of the usual kind is from an arc of radius 1 and
 /// `angle` at most (M. Goldapp, Approximation of circular arcs by cubic
 /// polynomials, 1991: 2/27 sin^6(angle/4) / cos^2(angle/4)).

@@ -12,8 +12,6 @@
 namespace unstep {
 namespace {
 
-constexpr std::uint32_t widen(unsigned sample) { return sample * 257; }
-
 /// IHDR, read once.
 struct PngShape {
   png_uint_32 width = 0;

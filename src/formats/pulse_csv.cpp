@@ -9,7 +9,7 @@
 namespace unstep {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view unquoted(std::string_view text) {
   const auto is_edge = [](char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '"';
   };
@@ -71,7 +71,7 @@ class CsvPulses {
   bool next_row() {
     while (!text_.empty()) {
       const std::size_t end = std::min(text_.find('\n'), text_.size());
-      row_ = trimmed(text_.substr(0, end));
+      row_ = unquoted(text_.substr(0, end));
       text_.remove_prefix(std::min(end + 1, text_.size()));
       ++line_;
       if (!row_.empty() && row_[0] != ';' && row_[0] != '#') return true;
@@ -85,7 +85,7 @@ class CsvPulses {
     std::string_view rest = row_;
     while (fields_.size() < kMostColumns) {
       const std::size_t end = rest.find(separator_);
-      fields_.push_back(trimmed(rest.substr(0, end)));
+      fields_.push_back(unquoted(rest.substr(0, end)));
       if (end == std::string_view::npos) return;
       rest.remove_prefix(end + 1);
     }

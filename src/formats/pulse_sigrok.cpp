@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "formats/pulse_chain.h"
+#include "formats/text_scanner.h"
 
 /// Sessions of sigrok (sigrok.org, "File format:Sigrok/v2"): a zip archive with
 /// a text "metadata" and the samples, "logic-1-1", "logic-1-2" and so on.
@@ -111,13 +112,6 @@ struct Session {
   std::vector<std::string> names;
   std::vector<std::size_t> bits;  ///< of the names
 };
-
-template <class Number>
-bool parse_whole(std::string_view text, Number& value) {
-  const char* end = text.data() + text.size();
-  const auto [stop, failed] = std::from_chars(text.data(), end, value);
-  return failed == std::errc{} && stop == end;
-}
 
 /// "24 MHz", "1000000"
 double parse_rate(std::string_view text) {

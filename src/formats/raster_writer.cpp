@@ -6,7 +6,7 @@
 namespace unstep {
 namespace {
 
-Error no_memory() {
+Error no_memory_to_write() {
   return {ErrorCode::limit_exceeded, "no memory to write the image"};
 }
 
@@ -40,7 +40,7 @@ Result<RasterWriter> RasterWriter::create(RasterFormat format) {
     impl->sink = std::move(*sink);
     return RasterWriter(std::move(impl));
   } catch (const std::bad_alloc&) {
-    return no_memory();
+    return no_memory_to_write();
   }
 }
 
@@ -56,7 +56,7 @@ Status RasterWriter::add_page(const Bitmap& ink, const PageInfo& info,
     impl_->has_page = impl_->has_page || added;
     return added;
   } catch (const std::bad_alloc&) {
-    return no_memory();
+    return no_memory_to_write();
   }
 }
 
@@ -67,7 +67,7 @@ Result<std::vector<std::uint8_t>> RasterWriter::finish() {
   try {
     return impl_->sink->finish();
   } catch (const std::bad_alloc&) {
-    return no_memory();
+    return no_memory_to_write();
   }
 }
 

@@ -192,7 +192,7 @@ Status PathParser::parse() {
   char command = 0;
   while (scanner_.skip_blanks(), !scanner_.at_end()) {
     const char c = scanner_.peek();
-    if (TextScanner::is_letter(c)) {
+    if (is_letter(c)) {
       const char upper = c >= 'a' ? static_cast<char>(c - 'a' + 'A') : c;
       if (kCommands.find(upper) == std::string_view::npos) {
         return fault("unknown command");

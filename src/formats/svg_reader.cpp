@@ -25,9 +25,6 @@ constexpr int kMaxDepth = 256;
 /// What an element costs at least; uses of uses cannot be free.
 constexpr std::uint64_t kElementMemory = 256;
 
-/// How many kinds of elements are named one by one.
-constexpr std::size_t kNamedKinds = 12;
-
 std::string_view local_name(const pugi::xml_node& node) {
   const std::string_view name = node.name();
   const std::size_t colon = name.find(':');

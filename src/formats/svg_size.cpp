@@ -17,8 +17,7 @@ int decimals_of(std::string_view text) {
   const std::size_t point = text.find('.');
   if (point == std::string_view::npos) return 0;
   int decimals = 0;
-  for (std::size_t i = point + 1;
-       i < text.size() && TextScanner::is_digit(text[i]); ++i) {
+  for (std::size_t i = point + 1; i < text.size() && is_digit(text[i]); ++i) {
     ++decimals;
   }
   return decimals;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "formats/characters.h"
 #include "formats/text_scanner.h"
 
 namespace unstep {
@@ -12,16 +13,6 @@ namespace {
 /// Rules are read for every element that they fit: short ones keep the time
 /// linear. Many selectors of one rule are as bounded.
 constexpr std::size_t kMaxRule = 4096;
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && TextScanner::is_blank(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && TextScanner::is_blank(text.back())) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
 
 /// Calls visit(part) for the parts between separators, blanks removed.
 template <class Visit>
@@ -53,8 +44,7 @@ bool is_plain_selector(std::string_view selector) {
   }
   if (selector.empty()) return false;
   for (const char c : selector) {
-    if (!TextScanner::is_letter(c) && !TextScanner::is_digit(c) && c != '-' &&
-        c != '_') {
+    if (!is_letter(c) && !is_digit(c) && c != '-' && c != '_') {
       return false;
     }
   }

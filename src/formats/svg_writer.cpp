@@ -15,9 +15,6 @@ namespace {
 /// libxml2, and so librsvg, refuses a longer attribute unless told otherwise.
 constexpr std::uint64_t kLongAttribute = 10'000'000;
 
-/// Deviation of an arc in grid units that a short radius may cost.
-constexpr double kArcLimit = 1.0 / 1024;
-
 const char* unit_of(Resolution::Unit unit) {
   switch (unit) {
     case Resolution::Unit::inch: return "in";

@@ -5,20 +5,22 @@
 #include <optional>
 #include <string_view>
 
+#include "formats/characters.h"
+
 namespace unstep {
+
+/// False if the text is not one number to its end.
+template <class Number>
+bool parse_whole(std::string_view text, Number& number) {
+  const char* end = text.data() + text.size();
+  const auto [stop, failed] = std::from_chars(text.data(), end, number);
+  return failed == std::errc{} && stop == end;
+}
 
 /// Takes numbers and words off the front of a text, independent of any locale.
 class TextScanner {
  public:
   explicit TextScanner(std::string_view text) : text_(text), rest_(text) {}
-
-  static bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
-  }
-  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
-  static bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  }
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
   /// 0 at the end.

@@ -8,8 +8,6 @@
 namespace unstep {
 namespace {
 
-constexpr std::uint32_t widen(unsigned sample) { return sample * 257; }
-
 /// The colour map, 16 bits a sample; old writers used 8 (TIFF 6.0 forbids it).
 std::vector<Colour> read_colour_map(TIFF* tiff, unsigned bits) {
   std::uint16_t* red = nullptr;

@@ -8,7 +8,6 @@
 namespace unstep {
 
 using vcd::parse_range;
-using vcd::parse_whole;
 using vcd::shown;
 
 Result<std::vector<std::string_view>> VcdReader::section(

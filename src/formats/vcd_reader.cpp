@@ -7,9 +7,7 @@
 
 namespace unstep {
 
-using vcd::is_blank;
 using vcd::parse_range;
-using vcd::parse_whole;
 using vcd::shown;
 
 namespace {
@@ -23,14 +21,14 @@ bool is_end_of(std::string_view parts, std::string_view name) {
 }  // namespace
 
 bool VcdReader::recognise(std::string_view text) {
-  const auto begin = std::find_if_not(text.begin(), text.end(), is_blank);
+  const auto begin = std::find_if_not(text.begin(), text.end(), vcd::is_blank);
   text.remove_prefix(static_cast<std::size_t>(begin - text.begin()));
   constexpr std::array<std::string_view, 7> kFirst{
       "$date",  "$version", "$comment",       "$timescale",
       "$scope", "$var",     "$enddefinitions"};
   return std::any_of(kFirst.begin(), kFirst.end(), [text](auto keyword) {
-    return text.starts_with(keyword) &&
-           (text.size() == keyword.size() || is_blank(text[keyword.size()]));
+    return text.starts_with(keyword) && (text.size() == keyword.size() ||
+                                         vcd::is_blank(text[keyword.size()]));
   });
 }
 
@@ -63,9 +61,9 @@ Error VcdReader::error(std::size_t at, const std::string& reason,
 /// Empty at the end.
 std::string_view VcdReader::word() {
   std::size_t at = position_;
-  while (at < text_.size() && is_blank(text_[at])) ++at;
+  while (at < text_.size() && vcd::is_blank(text_[at])) ++at;
   word_at_ = at;
-  while (at < text_.size() && !is_blank(text_[at])) ++at;
+  while (at < text_.size() && !vcd::is_blank(text_[at])) ++at;
   position_ = at;
   return text_.substr(word_at_, at - word_at_);
 }

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "formats/text_scanner.h"
 
 /// Words and numbers of value change dumps.
 namespace unstep::vcd {
@@ -14,13 +15,6 @@ namespace unstep::vcd {
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' ||
          c == '\v';
-}
-
-template <class Number>
-bool parse_whole(std::string_view text, Number& number) {
-  const char* end = text.data() + text.size();
-  const auto [stop, failed] = std::from_chars(text.data(), end, number);
-  return failed == std::errc{} && stop == end;
 }
 
 /// A name or code as an error message may show it.

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kProlog = std::size_t{1} << 16;
 
 std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && TextScanner::is_blank(text.front())) {
+  while (!text.empty() && is_blank(text.front())) {
     text.remove_prefix(1);
   }
   return text;
@@ -29,11 +29,10 @@ bool is_svg(std::string_view text) {
     std::string_view before = text.substr(open + 1, at - open - 1);
     if (!before.empty() && before.back() == ':') before.remove_suffix(1);
     const bool named = std::all_of(before.begin(), before.end(), [](char c) {
-      return TextScanner::is_letter(c) || TextScanner::is_digit(c);
+      return is_letter(c) || is_digit(c);
     });
     const char after = at + 3 < text.size() ? text[at + 3] : '\0';
-    if (named &&
-        (TextScanner::is_blank(after) || after == '>' || after == '/')) {
+    if (named && (is_blank(after) || after == '>' || after == '/')) {
       return true;
     }
   }
@@ -50,7 +49,7 @@ bool is_dxf(std::string_view text) {
   const std::size_t end = text.find('\n');
   if (end == text.npos) return false;
   std::string_view code = text.substr(0, end);
-  while (!code.empty() && TextScanner::is_blank(code.back())) {
+  while (!code.empty() && is_blank(code.back())) {
     code.remove_suffix(1);
   }
   const std::string_view value = without_blanks(text.substr(end));
@@ -75,8 +74,7 @@ bool is_hpgl(std::string_view text) {
       "IN", "DF", "IP", "SC", "SP", "PU", "PD",
       "PA", "PR", "BP", "PS", "VS", "RO", "PG"};
   if (text.starts_with("\x1b%") || text.starts_with("\x1b.")) return true;
-  while (!text.empty() &&
-         (TextScanner::is_blank(text.front()) || text.front() == ';')) {
+  while (!text.empty() && (is_blank(text.front()) || text.front() == ';')) {
     text.remove_prefix(1);
   }
   if (text.size() < 3) return false;
@@ -89,9 +87,8 @@ bool is_hpgl(std::string_view text) {
     return false;
   }
   const char next = text[2];
-  return TextScanner::is_digit(next) || TextScanner::is_blank(next) ||
-         next == ';' || next == '-' || next == '+' ||
-         (TextScanner::is_letter(next) && text.find(';') != text.npos);
+  return is_digit(next) || is_blank(next) || next == ';' || next == '-' ||
+         next == '+' || (is_letter(next) && text.find(';') != text.npos);
 }
 
 }  // namespace

@@ -4,11 +4,6 @@
 #include <cstdlib>
 
 namespace unstep::interpolation {
-namespace {
-
-constexpr double kTwo32 = 4294967296.0;
-
-}  // namespace
 
 CircularMove circular_move(const ArcWalk& walk, bool combined) {
   const std::int64_t a = walk.a();

@@ -7,7 +7,6 @@
 namespace unstep::interpolation {
 namespace {
 
-constexpr double kTwo32 = 4294967296.0;
 constexpr std::int64_t kMaxFirstStep = std::int64_t{1} << 20;
 
 std::int64_t choose_first_step(std::int32_t asked, double length) {

@@ -12,6 +12,9 @@ namespace unstep::interpolation {
 
 __extension__ typedef __int128 Int128;
 
+/// Fractions of steps and frequencies are kept in units of 2^-32.
+inline constexpr double kTwo32 = 4294967296.0;
+
 /// |value|, 2^31 for INT32_MIN.
 [[nodiscard]] constexpr std::int64_t magnitude(std::int32_t value) {
   const std::int64_t wide = value;

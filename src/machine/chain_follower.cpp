@@ -11,7 +11,6 @@
 namespace unstep::machine {
 namespace {
 
-constexpr double kPulseUm = pulse_um(Resolution::eighth_wave);
 /// The carriage is 16 ms behind the command; this is enough to find it.
 constexpr double kBehindSeconds = 0.06;
 

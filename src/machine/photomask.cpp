@@ -11,8 +11,7 @@ namespace unstep::machine {
 namespace {
 
 constexpr std::int32_t kRunUpPulses = 6'250;  // 0.5 mm
-constexpr double kPulseUm = pulse_um(Resolution::eighth_wave);
-constexpr double kRateUm = 10;  // per second and step of the rate
+constexpr double kRateUm = 10;                // per second and step of the rate
 
 Error refused(const std::string& what) {
   return {ErrorCode::out_of_range, "photomask: " + what};

@@ -23,6 +23,7 @@ enum class Resolution : std::uint8_t { eighth_wave, half_wave };
 [[nodiscard]] constexpr double pulse_um(Resolution resolution) {
   return kFringeUm / pulses_per_fringe(resolution);
 }
+inline constexpr double kPulseUm = pulse_um(Resolution::eighth_wave);
 
 /// A comparator about 0 that turns on above +h/2 and off below -h/2.
 class SchmittTrigger {

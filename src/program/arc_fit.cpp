@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "program/units.h"
+
 namespace unstep {
 namespace {
-
-constexpr double kPerMm = static_cast<double>(kProgramUnitsPerMm);
 
 /// Coordinates with the chord on the first axis, its middle at 0.
 struct ChordFrame {

@@ -10,6 +10,7 @@
 #include "program/arc_merge.h"
 #include "program/run_cover.h"
 #include "program/run_finder.h"
+#include "program/units.h"
 #include "unstep/program.h"
 
 /// Runs of lines that nothing separates become fewer lines and arcs.
@@ -18,8 +19,6 @@ namespace unstep {
 namespace {
 
 using Kind = ProgramItem::Kind;
-
-constexpr double kPerMm = static_cast<double>(kProgramUnitsPerMm);
 
 /// The tolerance is used but for this, in program units: more than rounding
 /// in doubles can make of it, 0.4 nm.

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "program/units.h"
+
 namespace unstep {
 namespace {
 
 using Kind = ProgramItem::Kind;
-
-constexpr double kPerMm = static_cast<double>(kProgramUnitsPerMm);
-constexpr std::size_t kAxisE = 9;
 
 }  // namespace
 

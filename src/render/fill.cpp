@@ -6,7 +6,8 @@
 namespace unstep {
 namespace {
 
-Error refused(ErrorCode code, std::size_t chain, const std::string& reason) {
+Error chain_error(ErrorCode code, std::size_t chain,
+                  const std::string& reason) {
   return {code, "chain " + std::to_string(chain + 1) + ": " + reason};
 }
 
@@ -14,7 +15,7 @@ Error refused(ErrorCode code, std::size_t chain, const std::string& reason) {
 /// for the crack on its left.
 Status flip_cracks(const Chain& contour, std::size_t index, Bitmap& cracks) {
   if (!contour.closed) {
-    return refused(ErrorCode::invalid_argument, index, "is not closed");
+    return chain_error(ErrorCode::invalid_argument, index, "is not closed");
   }
   Point at = contour.origin;
   const auto inside = [&] {
@@ -22,21 +23,22 @@ Status flip_cracks(const Chain& contour, std::size_t index, Bitmap& cracks) {
            at.y <= cracks.height();
   };
   if (!inside()) {
-    return refused(ErrorCode::out_of_range, index, "starts outside the raster");
+    return chain_error(ErrorCode::out_of_range, index,
+                       "starts outside the raster");
   }
   for (std::size_t i = 0; i < contour.steps.size(); ++i) {
     const Step step = contour.steps[i];
     if (step > 6 || step % 2 != 0) {
-      return refused(ErrorCode::invalid_argument, index,
-                     "step " + std::to_string(i + 1) + " is " +
-                         std::to_string(step) + ", not 0, 2, 4 or 6");
+      return chain_error(ErrorCode::invalid_argument, index,
+                         "step " + std::to_string(i + 1) + " is " +
+                             std::to_string(step) + ", not 0, 2, 4 or 6");
     }
     const Point move = step_delta(step, YAxis::down);
     const std::int32_t y = move.y < 0 ? at.y - 1 : at.y;
     at = {at.x + move.x, at.y + move.y};
     if (!inside()) {
-      return refused(ErrorCode::out_of_range, index,
-                     "leaves the raster at step " + std::to_string(i + 1));
+      return chain_error(ErrorCode::out_of_range, index,
+                         "leaves the raster at step " + std::to_string(i + 1));
     }
     // Nothing is right of the cracks at x = width.
     if (move.y != 0 && at.x < cracks.width()) {
@@ -44,8 +46,8 @@ Status flip_cracks(const Chain& contour, std::size_t index, Bitmap& cracks) {
     }
   }
   if (at != contour.origin) {
-    return refused(ErrorCode::invalid_argument, index,
-                   "does not return to its origin");
+    return chain_error(ErrorCode::invalid_argument, index,
+                       "does not return to its origin");
   }
   return {};
 }

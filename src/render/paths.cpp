@@ -14,7 +14,7 @@ using render::Place;
 using render::SubGrid;
 using render::View;
 
-Error refused(ErrorCode code, std::size_t path, const std::string& reason) {
+Error path_error(ErrorCode code, std::size_t path, const std::string& reason) {
   return {code, "path " + std::to_string(path + 1) + ": " + reason};
 }
 
@@ -28,25 +28,25 @@ Point end_of(const Path::Element& element) {
 
 Status check_path(const Path& path, std::size_t index, Paint paint) {
   if (path.width < 0 || path.width > kMaxCoord)
-    return refused(ErrorCode::out_of_range, index,
-                   "width " + std::to_string(path.width) + " is not in 0.." +
-                       std::to_string(kMaxCoord));
+    return path_error(ErrorCode::out_of_range, index,
+                      "width " + std::to_string(path.width) + " is not in 0.." +
+                          std::to_string(kMaxCoord));
   Place at{path.origin.x, path.origin.y};
   if (!in_range(at.x) || !in_range(at.y))
-    return refused(ErrorCode::out_of_range, index,
-                   "starts outside the coordinate range");
+    return path_error(ErrorCode::out_of_range, index,
+                      "starts outside the coordinate range");
   for (std::size_t i = 0; i < path.elements.size(); ++i) {
     const Point move = end_of(path.elements[i]);
     at = {at.x + move.x, at.y + move.y};
     if (!in_range(at.x) || !in_range(at.y))
-      return refused(
+      return path_error(
           ErrorCode::out_of_range, index,
           "leaves the coordinate range at element " + std::to_string(i + 1));
   }
   if (paint == Paint::fill && path.closed &&
       at != Place{path.origin.x, path.origin.y})
-    return refused(ErrorCode::invalid_argument, index,
-                   "does not return to its origin");
+    return path_error(ErrorCode::invalid_argument, index,
+                      "does not return to its origin");
   return {};
 }
 

@@ -17,13 +17,13 @@ namespace {
 constexpr double kNear = 1.0 / 1024;
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
-struct Vector {
+struct RealVector {
   double x = 0;
   double y = 0;
 };
 
 /// Coordinates are below 2^31: no square overflows.
-double distance(Vector a, Vector b) {
+double distance(RealVector a, RealVector b) {
   const double dx = a.x - b.x;
   const double dy = a.y - b.y;
   return std::sqrt(dx * dx + dy * dy);
@@ -34,22 +34,22 @@ struct Curve {
   std::uint32_t path = 0;
   std::uint32_t part = 0;
   bool is_arc = false;
-  Vector from;
-  Vector to;
-  Vector centre = {};
+  RealVector from;
+  RealVector to;
+  RealVector centre = {};
   double radius = 0;
   double first = 0;  ///< angle at `from`
   double turn = 0;   ///< > 0 counter-clockwise by the numbers
 };
 
-Vector vector_of(Point p) {
+RealVector vector_of(Point p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y)};
 }
 
 void set_arc(Curve& curve, const Arc& arc) {
   curve.is_arc = true;
-  Vector centre = vector_of(arc.centre);
-  const Vector end = vector_of(arc.end);
+  RealVector centre = vector_of(arc.centre);
+  const RealVector end = vector_of(arc.end);
   if (arc.end != Point{}) {
     const double k =
         (centre.y * end.x - centre.x * end.y) / (end.x * end.x + end.y * end.y);
@@ -67,7 +67,7 @@ void set_arc(Curve& curve, const Arc& arc) {
   if (arc.clockwise) curve.turn = -curve.turn;
 }
 
-Vector place_on(const Curve& curve, double t) {
+RealVector place_on(const Curve& curve, double t) {
   if (!curve.is_arc)
     return {curve.from.x + t * (curve.to.x - curve.from.x),
             curve.from.y + t * (curve.to.y - curve.from.y)};
@@ -77,7 +77,7 @@ Vector place_on(const Curve& curve, double t) {
 }
 
 /// A place of the curve's line or circle belongs to the curve itself.
-bool holds(const Curve& curve, Vector p) {
+bool holds(const Curve& curve, RealVector p) {
   if (distance(p, curve.from) <= kNear || distance(p, curve.to) <= kNear)
     return true;
   if (!curve.is_arc) {
@@ -95,22 +95,22 @@ bool holds(const Curve& curve, Vector p) {
 }
 
 struct Meetings {
-  std::array<Vector, 2> at;
+  std::array<RealVector, 2> at;
   bool any = false;
   bool everywhere = false;  ///< the same circle
 };
 
 /// Where the circle meets a line through `p` along the unit vector `d`. A line
 /// that passes by closely touches.
-Meetings meet_line(const Curve& arc, Vector p, Vector d) {
+Meetings meet_line(const Curve& arc, RealVector p, RealVector d) {
   const double along = (arc.centre.x - p.x) * d.x + (arc.centre.y - p.y) * d.y;
-  const Vector foot{p.x + along * d.x, p.y + along * d.y};
+  const RealVector foot{p.x + along * d.x, p.y + along * d.y};
   const double off = distance(foot, arc.centre);
   if (off > arc.radius + kNear) return {};
   const double half =
       std::sqrt(std::max(0.0, arc.radius * arc.radius - off * off));
-  return {{Vector{foot.x - half * d.x, foot.y - half * d.y},
-           Vector{foot.x + half * d.x, foot.y + half * d.y}},
+  return {{RealVector{foot.x - half * d.x, foot.y - half * d.y},
+           RealVector{foot.x + half * d.x, foot.y + half * d.y}},
           true,
           false};
 }
@@ -129,8 +129,8 @@ Meetings meetings(const Curve& arc, const Curve& other) {
     return {};
   if (apart < kNear) return {{}, true, true};
   // The line through both places where the circles meet.
-  const Vector d{(other.centre.x - arc.centre.x) / apart,
-                 (other.centre.y - arc.centre.y) / apart};
+  const RealVector d{(other.centre.x - arc.centre.x) / apart,
+                     (other.centre.y - arc.centre.y) / apart};
   const double along = (apart + (arc.radius - other.radius) *
                                     (arc.radius + other.radius) / apart) /
                        2;
@@ -246,9 +246,9 @@ class ArcCrossings {
   }
 
   void collect_ring(std::uint32_t path, const RingArcs& ring) {
-    Vector at = vector_of(ring.start);
+    RealVector at = vector_of(ring.start);
     for (std::uint32_t k = 0; k < ring.arcs.size(); ++k) {
-      const Vector end = vector_of(ring.arcs[k].end);
+      const RealVector end = vector_of(ring.arcs[k].end);
       Curve curve{path, k, true, at, {at.x + end.x, at.y + end.y}};
       set_arc(curve, ring.arcs[k]);
       curves_.push_back(curve);
@@ -268,9 +268,9 @@ class ArcCrossings {
                               : std::max(std::abs(curve.to.x - curve.from.x),
                                          std::abs(curve.to.y - curve.from.y));
     const auto pieces = static_cast<std::size_t>(std::ceil(length / cell_)) + 1;
-    Vector a = curve.from;
+    RealVector a = curve.from;
     for (std::size_t i = 1; i <= pieces; ++i) {
-      const Vector b =
+      const RealVector b =
           place_on(curve, static_cast<double>(i) / static_cast<double>(pieces));
       // A piece bulges from its chord by at most an eighth of its length
       // squared over the radius, and that is at most the length.
@@ -345,7 +345,7 @@ class ArcCrossings {
     if (!found.any) return false;
     if (found.everywhere)
       return !is_joint(arc, other, arc.from) && !is_joint(arc, other, arc.to);
-    for (const Vector& at : found.at) {
+    for (const RealVector& at : found.at) {
       if (!holds(arc, at) || !holds(other, at)) continue;
       if (!is_joint(arc, other, at)) return true;
     }
@@ -362,7 +362,8 @@ class ArcCrossings {
   }
 
   /// The place is where one of the two goes over into the other.
-  [[nodiscard]] bool is_joint(const Curve& a, const Curve& b, Vector at) const {
+  [[nodiscard]] bool is_joint(const Curve& a, const Curve& b,
+                              RealVector at) const {
     if (a.path != b.path) return false;
     const std::size_t count = offsets_[a.path + 1] - offsets_[a.path];
     const auto follows = [&](const Curve& p, const Curve& q) {

@@ -136,13 +136,13 @@ std::optional<Arc> ArcFitter::fit(const ArcTask& task) const {
 
 namespace {
 
-struct Box {
+struct Extent {
   std::int64_t low_x = std::numeric_limits<std::int64_t>::max();
   std::int64_t low_y = std::numeric_limits<std::int64_t>::max();
   std::int64_t high_x = std::numeric_limits<std::int64_t>::min();
   std::int64_t high_y = std::numeric_limits<std::int64_t>::min();
 
-  explicit Box(std::span<const Point> points) {
+  explicit Extent(std::span<const Point> points) {
     for (const Point p : points) {
       low_x = std::min<std::int64_t>(low_x, p.x);
       low_y = std::min<std::int64_t>(low_y, p.y);
@@ -222,7 +222,7 @@ std::vector<Point> begun_at(std::span<const Point> ring, std::size_t start) {
 }  // namespace
 
 std::optional<RingArcs> ArcFitter::fit_ring(std::span<const Point> ring) const {
-  const Box box(ring);
+  const Extent box(ring);
   const std::int64_t wide = box.high_x - box.low_x;
   const std::int64_t tall = box.high_y - box.low_y;
   // Its width and height differ from the diameter by at most 2 t each.

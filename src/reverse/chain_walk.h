@@ -10,6 +10,10 @@
 
 namespace unstep::reverse {
 
+[[nodiscard]] inline Point moved(Point at, Point by) {
+  return {at.x + by.x, at.y + by.y};
+}
+
 /// A chain in path units. Indices count steps; on a closed chain they go on
 /// beyond the last one, round and round (up to five times).
 class ChainWalk {

@@ -32,8 +32,6 @@ constexpr std::size_t kLongest = 4 * kCheapLine;
 constexpr std::int32_t kUnreached =
     std::numeric_limits<std::int32_t>::max() / 2;
 
-Point moved(Point at, Point by) { return {at.x + by.x, at.y + by.y}; }
-
 std::int64_t squared(const Vec& v) { return v.x * v.x + v.y * v.y; }
 
 /// At most 13 points of the disc, spread over it, the middle first.

@@ -21,9 +21,7 @@ struct Node {
 /// Nodes that are kept before the way of one of them is made final.
 constexpr std::size_t kMaxNodes = 4096;
 /// Steps that are looked at in vain, beyond as many as the line has.
-constexpr std::size_t kPatience = 64;
-
-Point moved(Point at, Point by) { return {at.x + by.x, at.y + by.y}; }
+constexpr std::size_t kBeamPatience = 64;
 
 class Beam {
  public:
@@ -80,7 +78,7 @@ bool Beam::extend(std::size_t from, const LineVertex& target) {
     return cone_.may_end_at(std::int64_t{at.x} - start.at.x,
                             std::int64_t{at.y} - start.at.y);
   };
-  std::size_t stop = std::min(target.index, index + kPatience);
+  std::size_t stop = std::min(target.index, index + kBeamPatience);
   while (index < stop) {
     const Step step = chain_.step(index);
     anchor = moved(anchor, chain_.delta(step));
@@ -96,7 +94,7 @@ bool Beam::extend(std::size_t from, const LineVertex& target) {
     }
     if (any) {
       stop = std::min(target.index,
-                      start.index + 4 * (index - start.index) + kPatience);
+                      start.index + 4 * (index - start.index) + kBeamPatience);
     }
     if (chain_.step(index) != step &&
         !cone_.add(std::int64_t{anchor.x} - start.at.x,

@@ -17,8 +17,6 @@ std::size_t usual_lines(std::size_t steps) {
   return std::min<std::size_t>(steps / 4 + 8, 1024);
 }
 
-Point moved(Point at, Point by) { return {at.x + by.x, at.y + by.y}; }
-
 /// The last two points to which one line may go; `before` is the line's start
 /// if there is but one.
 struct Ends {

@@ -157,7 +157,7 @@ class Gridder {
              interpolation::check_arc({centre, arc.end, arc.clockwise});
     };
     if (is_taken(arc.centre)) return {};
-    constexpr double kFarthest = 1.25;
+    constexpr double kMaxAway = 1.25;
     const Point first = arc.centre;
     const double x = static_cast<double>(move.centre[0]) * per_unit_ - at_[0];
     const double y = static_cast<double>(move.centre[1]) * per_unit_ - at_[1];
@@ -167,7 +167,7 @@ class Gridder {
       for (std::int32_t dx = -1; dx <= 1; ++dx) {
         const Point centre{first.x + dx, first.y + dy};
         const double away = std::hypot(centre.x - x, centre.y - y);
-        if (centre == Point{} || (away > kFarthest && centre != first)) {
+        if (centre == Point{} || (away > kMaxAway && centre != first)) {
           continue;
         }
         const double off = std::abs(radius_change(centre, arc.end));

@@ -19,9 +19,9 @@ std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-class Binary {
+class BinaryReader {
  public:
-  Binary(std::string_view bytes, const StepReadOptions& options)
+  BinaryReader(std::string_view bytes, const StepReadOptions& options)
       : file_(bytes_of(bytes)),
         in_(file_, 0, ErrorCode::truncated),
         out_({}, options.max_steps) {}
@@ -206,9 +206,8 @@ StepFormat recognise_steps(std::string_view bytes) {
   TextScanner in(bytes);
   in.skip_blanks();
   if (in.peek() == '$') return StepFormat::vcd;
-  return in.peek() == '#' || TextScanner::is_letter(in.peek())
-             ? StepFormat::csv
-             : StepFormat::raw;
+  return in.peek() == '#' || is_letter(in.peek()) ? StepFormat::csv
+                                                  : StepFormat::raw;
 }
 
 Result<StepStream> read_steps(std::string_view bytes, StepFormat format,
@@ -220,7 +219,7 @@ Result<StepStream> read_steps(std::string_view bytes, StepFormat format,
       case StepFormat::raw: return steps::read_raw(bytes, options);
       case StepFormat::binary: break;
     }
-    return steps::Binary(bytes, options).read();
+    return steps::BinaryReader(bytes, options).read();
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::limit_exceeded, "no memory for the steps"};
   }

@@ -15,9 +15,9 @@ enum class Column : std::uint8_t { x, y, z, rapid, wait, ignored };
 
 constexpr std::size_t kMaxColumns = 32;
 
-class Reader {
+class CsvReader {
  public:
-  explicit Reader(const StepReadOptions& options)
+  explicit CsvReader(const StepReadOptions& options)
       : out_(options.head, options.max_steps) {}
 
   Result<StepStream> read(std::string_view text) {
@@ -134,7 +134,7 @@ class Reader {
 
 Result<StepStream> read_csv(std::string_view text,
                             const StepReadOptions& options) {
-  return Reader(options).read(text);
+  return CsvReader(options).read(text);
 }
 
 }  // namespace unstep::steps

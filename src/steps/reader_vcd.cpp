@@ -45,9 +45,9 @@ std::optional<Wire> wire_of(std::string_view name) {
   return std::nullopt;
 }
 
-class Reader {
+class WireReader {
  public:
-  Reader(VcdReader file, const StepReadOptions& options)
+  WireReader(VcdReader file, const StepReadOptions& options)
       : file_(std::move(file)), out_(options.head, options.max_steps) {}
 
   Result<StepStream> read() {
@@ -161,7 +161,7 @@ Result<StepStream> read_vcd(std::string_view text,
                             const StepReadOptions& options) {
   Result<VcdReader> file = VcdReader::open(text, {});
   if (!file) return file.error();
-  return Reader(*std::move(file), options).read();
+  return WireReader(*std::move(file), options).read();
 }
 
 }  // namespace unstep::steps

@@ -112,7 +112,7 @@ class WaitChanges {
   std::array<std::uint8_t, kBlock> low_;
 };
 
-class Binary : public Format {
+class BinaryFormat : public Format {
  public:
   void begin(const StepHead& head, std::string& out) override {
     axes_ = head.axes;
@@ -227,7 +227,7 @@ std::unique_ptr<Format> make(StepFormat format) {
     case StepFormat::raw: return std::make_unique<Raw>();
     case StepFormat::binary: break;
   }
-  return std::make_unique<Binary>();
+  return std::make_unique<BinaryFormat>();
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -96,6 +100,17 @@ inline bool same(const Decoded& a, const Decoded& b) {
     }
   }
   return true;
+}
+
+/// The file is refused, the message holding the reason.
+inline void expect_error(const std::vector<std::uint8_t>& file, ErrorCode code,
+                         std::string_view reason) {
+  const auto decoded = decode_all(file);
+  ASSERT_FALSE(decoded) << "expected: " << reason;
+  EXPECT_EQ(to_string(decoded.error().code), to_string(code))
+      << decoded.error().message;
+  EXPECT_NE(decoded.error().message.find(reason), std::string::npos)
+      << decoded.error().message;
 }
 
 }  // namespace unstep::testing

@@ -20,6 +20,7 @@ namespace {
 using codec::ByteWriter;
 using testing::Bytes;
 using testing::decode_all;
+using testing::expect_error;
 using testing::join;
 using testing::random_ink;
 using testing::RawBlock;
@@ -43,15 +44,6 @@ Bytes intact_file() {
 }
 
 std::vector<RawBlock> intact() { return take_apart(intact_file()); }
-
-void expect_error(const Bytes& file, ErrorCode code, std::string_view reason) {
-  const auto decoded = decode_all(file);
-  ASSERT_FALSE(decoded) << "expected: " << reason;
-  EXPECT_EQ(to_string(decoded.error().code), to_string(code))
-      << decoded.error().message;
-  EXPECT_NE(decoded.error().message.find(reason), std::string::npos)
-      << decoded.error().message;
-}
 
 void expect_corrupt(const std::vector<RawBlock>& blocks,
                     std::string_view reason) {

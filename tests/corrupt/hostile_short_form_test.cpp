@@ -19,16 +19,8 @@ namespace {
 using codec::ByteWriter;
 using testing::Bytes;
 using testing::decode_all;
+using testing::expect_error;
 using testing::random_ink;
-
-void expect_error(const Bytes& file, ErrorCode code, std::string_view reason) {
-  const auto decoded = decode_all(file);
-  ASSERT_FALSE(decoded) << "expected: " << reason;
-  EXPECT_EQ(to_string(decoded.error().code), to_string(code))
-      << decoded.error().message;
-  EXPECT_NE(decoded.error().message.find(reason), std::string::npos)
-      << decoded.error().message;
-}
 
 /// A short form with a right checksum over `head` (flags to counts) and the
 /// decoded bytes of `checksum`.

@@ -18,7 +18,7 @@ std::string xs(const std::string& text) {
   return out;
 }
 
-std::string strict_error(const std::string& text) {
+std::string flow_error(const std::string& text) {
   GcodeReadOptions options;
   options.strict = true;
   const Result<Program> program = read_gcode(text, options);
@@ -59,7 +59,7 @@ TEST(gcode_flow, labels_of_every_line_may_be_expressions) {
                "o[3-1] repeat [1]\nG0 X#5\no[2] endrepeat\no[1] endwhile\n"
                "o[50*2] sub\nG0 X9\no[100] endsub\n#6=100\no#6 call\n"),
             "3 1 2 9 ");
-  EXPECT_EQ(strict_error("#1=7\no#1 if [0]\nG0 X1\no#1 endif\n"),
+  EXPECT_EQ(flow_error("#1=7\no#1 if [0]\nG0 X1\no#1 endif\n"),
             "line 2: a label of endif that depends on parameters is not "
             "understood");
 }
@@ -117,7 +117,7 @@ TEST(gcode_flow, what_the_control_decides_is_kept_or_refused) {
     ASSERT_TRUE(out);
     EXPECT_TRUE(out->starts_with("G0 X1\n" + text)) << *out;
     EXPECT_GE(program->notes.size(), 1U);
-    const std::string error = strict_error("G0 X1\n" + text);
+    const std::string error = flow_error("G0 X1\n" + text);
     EXPECT_TRUE(error.starts_with("line ") &&
                 error.ends_with("is not understood"))
         << error;
