@@ -36,7 +36,7 @@ inline constexpr std::uint8_t kContourDeep = 4;
 
 /// log2 of the model's slots per context, a rule of the size only, so that it
 /// need not be stored. Larger pages have more contexts to remember; beyond
-/// 24 Mpx the cracks need the memory more (a 35 Mpx page stays under 25 MB).
+/// 24 Mpx the cracks need the memory more.
 [[nodiscard]] constexpr int contour_table_bits(std::uint8_t revision,
                                                std::int32_t width,
                                                std::int32_t rows) {
