@@ -16,8 +16,10 @@ namespace {
 /// Words that follow the one before within so many units stand in its line.
 constexpr std::int64_t kLineGap = 64;
 constexpr std::int64_t kLineRise = 24;
-/// A path alone is a word if it comes so often and has so many elements.
+/// A path alone is a word if it comes so often and all together have so many
+/// elements. A dot is better told after what was drawn last.
 constexpr std::uint32_t kOften = 3;
+constexpr std::uint64_t kElements = 8;
 constexpr int kMostUnitBits = 3;
 
 class EncoderSide {
@@ -67,7 +69,9 @@ class EncoderSide {
       const auto paths = paths_.subspan(static_cast<std::size_t>(group.first),
                                         static_cast<std::size_t>(group.count));
       const bool word = words && group.times > 1 &&
-                        (group.count > 1 || group.times >= kOften);
+                        (group.count > 1 ||
+                         (group.times >= kOften &&
+                          group.times * paths[0].elements.size() >= kElements));
       if (!word) {
         items_.insert(items_.end(), static_cast<std::size_t>(group.count), {});
         continue;

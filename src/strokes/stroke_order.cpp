@@ -19,6 +19,12 @@ constexpr std::int32_t kLetter = 96;
 /// Ends are on a line if they are so near, in pixels, or within the pen.
 constexpr std::int32_t kNear = 2;
 constexpr std::uint32_t kNone = UINT32_MAX;
+/// What follows in a string of text: no longer side than this, so far beyond
+/// the right side of what is before, or above it. The last strings are asked.
+constexpr std::int32_t kCharacter = 40;
+constexpr std::int32_t kGap = 16;
+constexpr std::int32_t kOverlap = 8;
+constexpr std::ptrdiff_t kStrings = 12;
 
 /// Points of one chain after another.
 template <class Visit>
@@ -208,12 +214,50 @@ class Orderer {
       std::ranges::sort(line, [&](std::uint32_t a, std::uint32_t b) {
         return std::tuple(extents[a].left, a) < std::tuple(extents[b].left, b);
       });
-      for (const std::uint32_t root : line) {
+      for (const std::uint32_t root : in_strings(line, extents)) {
         used[root] = true;
         groups.push_back(std::move(members[root]));
       }
     }
     return groups;
+  }
+
+  /// A line from left to right: those that follow each other at the same
+  /// height stand together.
+  static std::vector<std::uint32_t> in_strings(
+      const std::vector<std::uint32_t>& line,
+      const std::vector<Extent>& extents) {
+    std::vector<std::vector<std::uint32_t>> strings;
+    for (const std::uint32_t root : line) {
+      const auto known =
+          std::find_if(strings.rbegin(),
+                       strings.rbegin() + std::min<std::ptrdiff_t>(
+                                              kStrings, std::ssize(strings)),
+                       [&](const std::vector<std::uint32_t>& string) {
+                         return follows(extents[root], extents[string.back()]);
+                       });
+      if (known == strings.rbegin() + std::min<std::ptrdiff_t>(
+                                          kStrings, std::ssize(strings))) {
+        strings.push_back({root});
+      } else {
+        known->push_back(root);
+      }
+    }
+    std::vector<std::uint32_t> sorted;
+    for (const std::vector<std::uint32_t>& string : strings) {
+      sorted.insert(sorted.end(), string.begin(), string.end());
+    }
+    return sorted;
+  }
+
+  static bool follows(const Extent& e, const Extent& before) {
+    const std::int32_t gap = e.left - before.right;
+    const std::int32_t overlap =
+        std::min(e.bottom, before.bottom) - std::max(e.top, before.top);
+    const std::int32_t height =
+        std::min(e.bottom - e.top, before.bottom - before.top);
+    return gap > -kOverlap && gap <= kGap && 2 * overlap >= height &&
+           e.side() <= kCharacter;
   }
 
   /// Strokes that begin nowhere first, each followed by those on it.

@@ -3,6 +3,7 @@
 
 #include "grid/chain_end.h"
 #include "strokes/stroke_anchor.h"
+#include "strokes/stroke_dots.h"
 #include "strokes/stroke_piece.h"
 #include "strokes/stroke_reach.h"
 #include "strokes/stroke_repeat.h"
@@ -97,12 +98,18 @@ Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
   Result<std::vector<Piece>> pieces = pieces_of(strokes);
   if (!pieces) return pieces.error();
   const bool exact = options.tolerance.numerator == 0;
+  const bool few_bytes = !exact && options.aim == LineAim::few_bytes;
+  if (few_bytes &&
+      options.tolerance.numerator >= options.tolerance.denominator) {
+    for (Piece& piece : *pieces) piece.shift = {};
+  }
+  if (few_bytes && options.ink != nullptr) strokes::drop_dots(*pieces);
   const std::int32_t scale = exact ? 1 : path_scale(options.tolerance);
   if (exact) {
     for (Piece& piece : *pieces) piece.path = path_of_steps(piece.chain);
   } else {
     if (Status laid = lay_lines(*pieces, options); !laid) return laid.error();
-    if (options.aim == LineAim::few_bytes) {
+    if (few_bytes) {
       strokes::repeat_groups(*pieces, options.tolerance, scale);
       strokes::anchor_paths(*pieces, options.tolerance, scale);
     }

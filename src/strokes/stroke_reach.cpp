@@ -5,11 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 
 #include "grid/row_distances.h"
-#include "strokes/cover.h"
+#include "strokes/near_pieces.h"
+#include "strokes/stroke_dots.h"
 #include "unstep/trace.h"
 
 namespace unstep::strokes {
@@ -27,64 +27,9 @@ Result<Bitmap> draw(const std::vector<Piece>& pieces, const Bitmap& ink,
   return render_paths(*drawing);
 }
 
-/// Pixels that are too far from what they should be near, found by cells of
-/// 8 x 8, and the piece that each belongs to: whose pen comes nearest to it.
-class FarPixels {
- public:
-  void add(Point at) {
-    cells_[key(at.x >> 3, at.y >> 3)].push_back(pixels_.size());
-    pixels_.push_back({at, kNobody, 0});
-  }
-  [[nodiscard]] bool empty() const { return pixels_.empty(); }
-
-  /// Tells the pixels around a point of a piece's chain.
-  void offer(Point at, std::size_t piece, std::int32_t width) {
-    const std::int32_t reach = width / 4 + kAround;
-    for (std::int32_t y = (at.y - reach) >> 3; y <= (at.y + reach) >> 3; ++y) {
-      for (std::int32_t x = (at.x - reach) >> 3; x <= (at.x + reach) >> 3;
-           ++x) {
-        const auto cell = cells_.find(key(x, y));
-        if (cell == cells_.end()) continue;
-        for (const std::size_t i : cell->second) {
-          Pixel& pixel = pixels_[i];
-          const double far =
-              std::hypot(pixel.at.x - at.x, pixel.at.y - at.y) - width / 4.0;
-          if (far > kAround || (pixel.piece != kNobody && far >= pixel.far)) {
-            continue;
-          }
-          pixel.piece = piece;
-          pixel.far = far;
-        }
-      }
-    }
-  }
-
-  void mark(std::vector<bool>& pieces) const {
-    for (const Pixel& pixel : pixels_) {
-      if (pixel.piece != kNobody) pieces[pixel.piece] = true;
-    }
-  }
-
- private:
-  /// Beyond the pen: two pixels, and as much for a line that left its chain.
-  static constexpr std::int32_t kAround = 6;
-  static constexpr std::size_t kNobody = SIZE_MAX;
-  struct Pixel {
-    Point at;
-    std::size_t piece;
-    double far;
-  };
-  static std::uint64_t key(std::int32_t x, std::int32_t y) {
-    return std::uint64_t{static_cast<std::uint32_t>(y)} << 32 |
-           static_cast<std::uint32_t>(x);
-  }
-  std::vector<Pixel> pixels_;
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
-};
-
 /// The pixels of `a` that are too far from all of `b`.
-FarPixels far_pixels(const Bitmap& a, const Bitmap& b, std::int64_t reach) {
-  FarPixels places;
+NearPieces far_pixels(const Bitmap& a, const Bitmap& b, std::int64_t reach) {
+  NearPieces places;
   RowDistances distances(b, RowDistances::To::ink);
   for (std::int32_t y = 0; y < a.height(); ++y) {
     const auto here = a.row(y);
@@ -185,37 +130,6 @@ void lay_again(Piece& piece, const Rational& tolerance, std::int32_t scale,
   piece.path = std::move(path);
 }
 
-Status add_dots(const Bitmap& ink, const Bitmap& drawn, std::int64_t reach,
-                std::int32_t scale, std::vector<Piece>& pieces) {
-  std::vector<Stroke> dots;
-  if (Status found = dot_missing(ink, drawn, {reach, 1}, {}, dots); !found)
-    return found;
-  std::uint32_t group = pieces.empty() ? 0 : pieces.back().group;
-  for (Stroke& dot : dots) {
-    Piece piece;
-    piece.chain = std::move(dot.chain);
-    piece.width = dot.pieces.front().width;
-    piece.group = ++group;
-    piece.path.origin = {piece.chain.origin.x * scale,
-                         piece.chain.origin.y * scale};
-    pieces.push_back(std::move(piece));
-  }
-  return {};
-}
-
-void offer_all(const std::vector<Piece>& pieces, FarPixels& pixels) {
-  if (pixels.empty()) return;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Point at = pieces[i].chain.origin;
-    pixels.offer(at, i, pieces[i].width);
-    for (const Step step : pieces[i].chain.steps) {
-      const Point move = step_delta(step, YAxis::down);
-      at = {at.x + move.x, at.y + move.y};
-      pixels.offer(at, i, pieces[i].width);
-    }
-  }
-}
-
 }  // namespace
 
 std::int64_t reach_of(const Rational& tolerance) {
@@ -232,22 +146,17 @@ Status keep_near(const Bitmap& ink, const Rational& tolerance,
   for (std::size_t round = 0; round <= kFiner.size(); ++round) {
     const Result<Bitmap> drawn = draw(pieces, ink, scale);
     if (!drawn) return drawn.error();
-    FarPixels missed = far_pixels(ink, *drawn, reach);
-    FarPixels beyond = far_pixels(*drawn, ink, reach);
-    if (missed.empty() && beyond.empty()) return {};
-    offer_all(pieces, missed);
-    offer_all(pieces, beyond);
+    NearPieces beyond = far_pixels(*drawn, ink, reach);
+    if (beyond.empty()) break;
+    beyond.offer(pieces);
     std::vector<bool> again(pieces.size());
-    std::vector<bool> wide(pieces.size());
-    missed.mark(again);
-    beyond.mark(again);
-    beyond.mark(wide);
+    for (std::size_t i = 0; i < beyond.size(); ++i) {
+      if (beyond.piece(i) != NearPieces::kNobody) again[beyond.piece(i)] = true;
+    }
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       if (!again[i]) continue;
       lay_again(pieces[i], tolerance, scale, check);
-      if (wide[i] && round > 0) {
-        pieces[i].width = std::max(1, pieces[i].width - 1);
-      }
+      if (round > 0) pieces[i].width = std::max(1, pieces[i].width - 1);
     }
   }
   // A dot between pixels may reach a little less far than it should.

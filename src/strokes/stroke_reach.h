@@ -11,9 +11,8 @@ namespace unstep::strokes {
 /// squared pixels: two pixels, or the tolerance and one.
 [[nodiscard]] std::int64_t reach_of(const Rational& tolerance);
 
-/// Lays paths again, nearer to their chains, where what they draw and the ink
-/// are farther apart than that; narrows pens that draw beyond the ink, and
-/// dots what is still missing.
+/// Lays paths again, nearer to their chains and with narrower pens, that draw
+/// farther beyond the ink than that, and dots what is missing.
 Status keep_near(const Bitmap& ink, const Rational& tolerance,
                  std::int32_t scale, std::vector<Piece>& pieces);
 
