@@ -300,7 +300,7 @@ class SecondDecoderOfStrokes(unittest.TestCase):
             folder = pathlib.Path(name)
             files = [ROOT / "tests/golden/valid/strokes_words.ustp"]
             for sample, tolerance in (("glyph.pbm", "1"),
-                                      ("crown.png", "0.5")):
+                                      ("molecule-8bit.png", "0.5")):
                 files.append(folder / (sample + ".ustp"))
                 subprocess.run(
                     [PROGRAM, "compress", "-qf", ROOT / "samples" / sample,

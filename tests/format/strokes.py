@@ -10,7 +10,7 @@ from vector_models import texts_of
 from vectors import Elements
 
 LIMIT = 2**30 - 1
-FIRST_PATHS = 777, 2158
+FIRST_PATHS = 1520, 3169
 FIRST_BYTES = "stroke_warm_start_table.cpp"
 Path = namedtuple("Path", "origin closed pen elements")
 Word = namedtuple("Word", "first count box")

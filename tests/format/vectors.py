@@ -41,7 +41,8 @@ class Elements:
         x, y = self.vertices.at[self.here]
         self.index += 1
         if self.closed and self.index == self.count:
-            self.vertices.close(self.here, self.first)
+            if self.here != self.first:
+                self.vertices.close(self.here, self.first)
         else:
             self.here = self.vertices.add((x + move[0], y + move[1]),
                                           self.here)

@@ -242,6 +242,86 @@ TEST(Strokes, StayWithinTwoPixelsOfTheInkIfTheyAreToldIt) {
   }
 }
 
+Stroke stroke_of(Point origin, std::size_t steps, std::int32_t width) {
+  Stroke stroke;
+  stroke.chain.origin = origin;
+  stroke.chain.steps.assign(steps, 0);
+  stroke.pieces = {{steps, width}};
+  return stroke;
+}
+
+/// What few bytes within one pixel make of the strokes, the ink told.
+std::vector<Path> cheap_paths(const Bitmap& ink,
+                              const std::vector<Stroke>& strokes) {
+  StrokeOptions options;
+  options.aim = LineAim::few_bytes;
+  options.ink = &ink;
+  Result<Drawing> drawing = stroke_paths(strokes, canvas_of(ink), options);
+  EXPECT_TRUE(drawing) << drawing.error().message;
+  return drawing ? std::move(drawing->paths) : std::vector<Path>();
+}
+
+TEST(Strokes, OfFewBytesHaveDotsOnlyWhereInkIsMissing) {
+  Bitmap ink = *Bitmap::create(60, 40);
+  for (std::int32_t x = 4; x < 40; ++x) ink.set(x, 10, true);
+  ink.set(20, 11, true);
+  ink.set(50, 30, true);
+  // The second is beside the line, which is near enough to its ink.
+  std::vector<Stroke> strokes{stroke_of({4, 10}, 35, 2),
+                              stroke_of({20, 11}, 0, 2),
+                              stroke_of({50, 30}, 0, 2)};
+  const std::vector<Path> paths = cheap_paths(ink, strokes);
+  ASSERT_EQ(paths.size(), 2U);
+  EXPECT_EQ(paths[0].elements.size(), 1U);
+  EXPECT_EQ(paths[1].origin, (Point{101, 61}));
+}
+
+TEST(Strokes, OfFewBytesHaveDotsAfterWhatTheyStandBeside) {
+  Bitmap ink = *Bitmap::create(60, 40);
+  for (std::int32_t x = 4; x < 40; ++x) {
+    ink.set(x, 10, true);
+    ink.set(x, 30, true);
+  }
+  ink.set(20, 14, true);
+  std::vector<Stroke> strokes{stroke_of({4, 10}, 35, 2),
+                              stroke_of({4, 30}, 35, 2)};
+  strokes[1].group = 1;
+  const std::vector<Path> paths = cheap_paths(ink, strokes);
+  ASSERT_EQ(paths.size(), 3U);
+  EXPECT_EQ(paths[1].elements.size(), 0U);
+  EXPECT_EQ(paths[1].origin, (Point{41, 29}));
+}
+
+TEST(Strokes, OfFewBytesGoThroughTheMiddlesOfPixels) {
+  Bitmap ink = *Bitmap::create(60, 20);
+  for (std::int32_t x = 4; x < 40; ++x) {
+    ink.set(x, 10, true);
+    ink.set(x, 11, true);
+  }
+  std::vector<Stroke> strokes{stroke_of({4, 10}, 35, 4)};
+  strokes[0].shift = {0, 1};
+  EXPECT_EQ(cheap_paths(ink, strokes)[0].origin, (Point{9, 21}));
+  const Result<Drawing> exact = stroke_paths(strokes, canvas_of(ink), {{0, 1}});
+  ASSERT_TRUE(exact);
+  EXPECT_EQ(exact->paths[0].origin, (Point{9, 22}));
+}
+
+TEST(Strokes, OfAStringOfTextStandTogether) {
+  // Beside something high, two strings one above the other.
+  Bitmap ink = *Bitmap::create(80, 60);
+  const auto bar = [&](std::int32_t x, std::int32_t top, std::int32_t bottom) {
+    for (std::int32_t y = top; y <= bottom; ++y) ink.set(x, y, true);
+  };
+  bar(4, 2, 50);
+  for (const std::int32_t x : {30, 38, 46}) bar(x, 5, 15);
+  for (const std::int32_t x : {34, 42, 50}) bar(x, 25, 35);
+  std::vector<std::int32_t> order;
+  for (const Stroke& stroke : traced(ink)) {
+    order.push_back(stroke.chain.origin.x);
+  }
+  EXPECT_EQ(order, (std::vector<std::int32_t>{4, 30, 38, 46, 34, 42, 50}));
+}
+
 TEST(Strokes, StandInGroupsThatTouch) {
   const std::vector<Stroke> strokes = traced(rough_letters());
   std::uint32_t last = 0;
