@@ -115,8 +115,8 @@ Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
     }
   }
   if (options.ink != nullptr) {
-    const Status near =
-        strokes::keep_near(*options.ink, options.tolerance, scale, *pieces);
+    const Status near = strokes::keep_near(*options.ink, options.tolerance,
+                                           scale, few_bytes, *pieces);
     if (!near) return near.error();
   }
   return strokes::drawing_of(*pieces, canvas, scale);

@@ -130,6 +130,17 @@ void lay_again(Piece& piece, const Rational& tolerance, std::int32_t scale,
   piece.path = std::move(path);
 }
 
+/// Which pieces the pixels belong to.
+std::vector<bool> owners_of(NearPieces& pixels,
+                            const std::vector<Piece>& pieces) {
+  std::vector<bool> found(pieces.size());
+  pixels.offer(pieces);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (pixels.piece(i) != NearPieces::kNobody) found[pixels.piece(i)] = true;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::int64_t reach_of(const Rational& tolerance) {
@@ -140,23 +151,25 @@ std::int64_t reach_of(const Rational& tolerance) {
 }
 
 Status keep_near(const Bitmap& ink, const Rational& tolerance,
-                 std::int32_t scale, std::vector<Piece>& pieces) {
+                 std::int32_t scale, bool dots_alone,
+                 std::vector<Piece>& pieces) {
   PathCheck check(tolerance, scale);
   const std::int64_t reach = reach_of(tolerance);
   for (std::size_t round = 0; round <= kFiner.size(); ++round) {
     const Result<Bitmap> drawn = draw(pieces, ink, scale);
     if (!drawn) return drawn.error();
     NearPieces beyond = far_pixels(*drawn, ink, reach);
-    if (beyond.empty()) break;
-    beyond.offer(pieces);
-    std::vector<bool> again(pieces.size());
-    for (std::size_t i = 0; i < beyond.size(); ++i) {
-      if (beyond.piece(i) != NearPieces::kNobody) again[beyond.piece(i)] = true;
-    }
+    NearPieces missed;
+    if (!dots_alone) missed = far_pixels(ink, *drawn, reach);
+    if (beyond.empty() && missed.empty()) break;
+    const std::vector<bool> wide = owners_of(beyond, pieces);
+    const std::vector<bool> short_of = owners_of(missed, pieces);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (!again[i]) continue;
+      if (!wide[i] && !short_of[i]) continue;
       lay_again(pieces[i], tolerance, scale, check);
-      if (round > 0) pieces[i].width = std::max(1, pieces[i].width - 1);
+      if (wide[i] && round > 0) {
+        pieces[i].width = std::max(1, pieces[i].width - 1);
+      }
     }
   }
   // A dot between pixels may reach a little less far than it should.

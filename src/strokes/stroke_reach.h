@@ -11,9 +11,12 @@ namespace unstep::strokes {
 /// squared pixels: two pixels, or the tolerance and one.
 [[nodiscard]] std::int64_t reach_of(const Rational& tolerance);
 
-/// Lays paths again, nearer to their chains and with narrower pens, that draw
-/// farther beyond the ink than that, and dots what is missing.
+/// Lays paths again, nearer to their chains, where what they draw and the ink
+/// are farther apart than that; narrows pens that draw beyond the ink, and
+/// dots what is still missing. With `dots_alone` paths that miss ink stay as
+/// they are: a dot takes fewer bytes than a path that is nearer.
 Status keep_near(const Bitmap& ink, const Rational& tolerance,
-                 std::int32_t scale, std::vector<Piece>& pieces);
+                 std::int32_t scale, bool dots_alone,
+                 std::vector<Piece>& pieces);
 
 }  // namespace unstep::strokes

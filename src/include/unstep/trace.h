@@ -95,10 +95,10 @@ struct StrokeOptions {
   /// From a tolerance of 1 on, lines are not moved by Stroke::shift.
   LineAim aim = LineAim::few_lines;
   /// The ink that the strokes are of, if what is drawn shall be within two
-  /// pixels of it, or the tolerance and one, and it of what is drawn: paths that
-  /// draw beyond it are nearer to their chains, their pens narrower, and dots
-  /// cover what is missing; with few_bytes dots beside lines are there only if
-  /// their paths miss ink. Of its size as the canvas; not owned.
+  /// pixels of it, or the tolerance and one, and it of what is drawn: paths are
+  /// then nearer to their chains where that is needed, pens narrower, and dots
+  /// cover what is left; with few_bytes dots alone, and beside lines only where
+  /// these miss ink. Of its size as the canvas; not owned.
   const Bitmap* ink = nullptr;
 };
 Result<Drawing> stroke_paths(std::span<const Stroke> strokes,
