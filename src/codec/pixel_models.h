@@ -84,7 +84,7 @@ class BlendedPixels {
 class MixedPixels {
  public:
   static constexpr int kBits = 16;
-  static constexpr unsigned kRare = 60U;
+  static constexpr unsigned kRare = 700U;
   static constexpr std::size_t kContexts = 4;
 
   static constexpr std::uint64_t memory() {
