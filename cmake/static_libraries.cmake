@@ -20,5 +20,5 @@ function(unstep_link_static program)
   target_link_libraries(${program} PRIVATE ${static_libraries}
     fmt::fmt-header-only)
   target_link_options(${program} PRIVATE -static-libstdc++ -static-libgcc
-    -Wl,--as-needed)
+    -Wl,--as-needed -Wl,--gc-sections)
 endfunction()

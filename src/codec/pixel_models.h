@@ -129,7 +129,7 @@ class MixedPixels {
 /// Eight contexts of up to 64 pixels, mixed and refined: for dither.
 class DeepPixels {
  public:
-  static constexpr int kBits = 16;
+  static constexpr int kBits = 15;
   static constexpr unsigned kRare = 3000U;
 
   static std::uint64_t memory() {

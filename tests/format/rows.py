@@ -33,7 +33,7 @@ class Rows:
         self.coder, self.width, self.rows = coder, width, rows
         self.code = (self.blend, self.mix, self.mix_more)[revision]
         self.rare = (1500, 700, 3000)[revision]
-        bits, count = ((14, 2), (16, 4), (16, 8))[revision]
+        bits, count = ((14, 2), (16, 4), (15, 8))[revision]
         self.tables = [Table(bits) for _ in range(count)]
         self.mixer = (Mixer([512, 128], [[768] * 16]) if revision == 2
                       else Mixer([512], [[1536] * 8]))
