@@ -1,6 +1,6 @@
 # unstep_link_static(program): links the static forms of what reads images and of
 # the C++ library, if all of them are there: of the time in which the program
-# starts, two thirds go into loading 19 shared libraries. They stand before the
+# starts, half goes into loading 19 shared libraries. They stand before the
 # shared ones, which then have nothing left to resolve and are dropped.
 function(unstep_link_static program)
   set(static_libraries)
