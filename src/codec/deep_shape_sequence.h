@@ -11,10 +11,10 @@
 
 namespace unstep::codec {
 
-/// Codes what is said of shapes for the max effort: what ShapeSequence sees and
-/// twelve contexts more, in a DeepModel. Two matches tell what followed when
-/// the same classes came before; columns and lines are known by their places;
-/// and the shapes above tell where the next one stands.
+/// Codes what is said of shapes for the max effort, in a DeepModel: under the
+/// contexts that it is given and twelve more. Two matches tell what followed
+/// when the same classes came before; columns and lines are known by their
+/// places; and the shapes above tell where the next one stands.
 class DeepShapeSequence
     : public NumberCoding<DeepShapeSequence, NumberSequence::Contexts>,
       public ShapeHistory {

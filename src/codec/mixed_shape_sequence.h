@@ -10,9 +10,9 @@
 
 namespace unstep::codec {
 
-/// Codes what is said of shapes for the default effort: most of what
-/// ShapeSequence sees; columns and lines by their places; and where the shapes
-/// above stand.
+/// Codes what is said of shapes for the default effort: under most of the
+/// contexts that it is given, the places of columns and lines, and where the
+/// shapes above stand.
 class MixedShapeSequence
     : public NumberCoding<MixedShapeSequence, NumberSequence::Contexts>,
       public ShapeHistory {

@@ -47,15 +47,13 @@ struct ShapeFields {
   };
 };
 
-/// Codes what is said of shapes beside their pixels.
+/// Codes where the words of coder 25 stand, as ShapeLayout tells it.
 class ShapeSequence : public NumberSequence, public ShapeFields {
  public:
   using NumberSequence::NumberSequence;
 
   /// What other sequences look at.
   void begin(const ShapePen& /*pen*/) {}
-  void refer(std::uint32_t /*id*/) {}
-  void remember(const ShapeFact& /*fact*/) {}
 };
 
 }  // namespace unstep::codec
