@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 #include "codec/shape_finder.h"
@@ -307,7 +308,9 @@ std::uint64_t outline(const Glyph& glyph) {
 /// around: they must repeat, be many and not be mere specks.
 struct Worth {
   static constexpr std::uint64_t kFewest = 100;
-  /// Shapes after which a hopeless page is given up.
+  /// Shapes after which a hopeless page is given up, and again at every power
+  /// of two: later shapes find more to refer to, so it may miss by half at
+  /// first, by less the more it has seen.
   static constexpr std::uint64_t kSample = 1024;
 
   std::uint64_t least = kShapesPay;
@@ -328,7 +331,8 @@ struct Worth {
     return referring >= kFewest && measure() >= least * count;
   }
   [[nodiscard]] bool hopeless() const {
-    return count == kSample && measure() < least * count / 4;
+    return count >= kSample && std::has_single_bit(count) &&
+           measure() < least * (count - kSample / 2);
   }
 };
 
