@@ -67,7 +67,7 @@ Status verify_centrelines(std::span<const std::uint8_t> payload,
 /// For training: encodes and shows the models as they are at the end.
 using CentrelineVisitor = std::function<void(
     const CentrelineModel& lines,
-    const LineStartModel<DecisionModel<10, 3, true>>& starts)>;
+    const LineStartModel<DecisionModel<5, 3, true>>& starts)>;
 Status show_centreline_models(const Bitmap& ink,
                               const CentrelineVisitor& visit);
 

@@ -12,7 +12,7 @@ CentrelineModel::CentrelineModel(const PixelPlanes& planes,
       slots_(table_bits),
       mixer_(twice(kVectors), std::span(kInitialWeights).first<kNodes>()),
       refiners_{entropy::Refiner(2 * kVectors[0]),
-                entropy::Refiner(2 * kVectors[1])} {
+                entropy::Refiner(2 * kVectors[3])} {
   for (std::size_t set = 0; set < kSets; ++set) {
     for (std::size_t k = kVectors[set]; k < 2 * kVectors[set]; ++k) {
       Weights weights = kInitialWeights[kNodes + k % kNodes];
@@ -49,7 +49,7 @@ int CentrelineModel::probability(Node node) {
   for (std::size_t& vector : chosen) vector += node;
   const int x = mixer_.mix(chosen, slots_.lane());
   const int p = 2 * entropy::squash(x) + refiners_[0].refine(x, chosen[0]) +
-                refiners_[1].refine(x, chosen[1]);
+                refiners_[1].refine(x, chosen[3]);
   return std::clamp(p / 4, 4, 65532);
 }
 

@@ -14,8 +14,8 @@ namespace unstep::codec {
 /// Predicts which pixels around the head of a line are ink.
 class CentrelineModel : public LineFollower<CentrelineModel> {
  public:
-  static constexpr std::size_t kInputs = 32;
-  static constexpr std::size_t kSets = 5;
+  static constexpr std::size_t kInputs = 16;
+  static constexpr std::size_t kSets = 4;
 
   using Weights = std::array<std::int16_t, kInputs>;
   /// What the mixer starts with, 12 fractional bits: a vector for each node,

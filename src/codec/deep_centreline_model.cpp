@@ -1,6 +1,7 @@
 #include "codec/deep_centreline_model.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "codec/centreline_model.h"
 #include "codec/context.h"
@@ -9,13 +10,14 @@ namespace unstep::codec {
 namespace {
 
 constexpr std::size_t kNears = 1024;
+constexpr std::size_t kRuns = 16;  ///< octaves, twice
 
 }  // namespace
 
 const DeepCentrelineModel::Model::Choice DeepCentrelineModel::kSizes{
     {2 * kVectors[0], 2 * kVectors[1], 2 * kVectors[2], 2 * kVectors[3],
-     2 * kVectors[4], kNears* kNodes, 1024 * kNodes},
-    {2 * kVectors[0], 2 * kVectors[1], kNears* kNodes},
+     kRuns* kNodes, kNears* kNodes, 1024 * kNodes},
+    {kRuns * kNodes, 2 * kVectors[0], kNears* kNodes},
     8 * kNodes};
 
 /// Those of CentrelineModel for the contexts that it has.
@@ -32,11 +34,10 @@ DeepCentrelineModel::first_weights() {
     };
     for (std::size_t i = 0; i < kAll; ++i) {
       to[i] = i < kKnown ? scaled(i) : std::int16_t{5200 / kAll};
-      to[kAll + i] =
-          i < kKnown ? scaled(kKnown + 1 + i) : std::int16_t{2000 / kAll};
+      to[kAll + i] = i < kKnown ? scaled(CentrelineModel::kInputs / 2 + i)
+                                : std::int16_t{2000 / kAll};
       to[2 * kAll + i] = 1500 / kAll;
     }
-    to[Model::kInputs - 1] = from[kKnown];
   }
   return weights;
 }
@@ -57,16 +58,28 @@ void DeepCentrelineModel::look(const Sight& sight) {
   std::copy(known.begin(), known.end(), values_.begin());
   const auto history = [this](unsigned turns) { return track_.history(turns); };
   const std::uint64_t base = sight.base;
-  const std::uint64_t run = track_.run(0, 255);
+  const auto run = [this](std::size_t k, std::uint32_t limit) {
+    return track_.run(k, limit);
+  };
+  const std::uint64_t last = run(0, 255);
   const std::array<std::uint64_t, kAll - LineFollower::kContexts> more{
+      mix(last << 8 | run(1, 255), mix(track_.bends() & 63, base)),
+      mix(track_.chord(32), mix(track_.bulge(32) << 9 | history(3), base)),
+      mix(history(12), base),
+      mix((run(0, 127) << 7 | run(1, 127)) << 14 | run(2, 127) << 7 |
+              run(3, 127),
+          mix(track_.bends(), base)),
+      mix(sight.verdict << 8 | dss_.previous_length(), mix(history(2), base)),
+      mix(track_.chord(16), mix(track_.bulge(16) << 9 | history(3), base)),
+      mix(sight.verdict, mix(sight.grid, base)),
       mix(sight.all, mix(history(4), base)),
       mix(history(20), base),
       mix(sight.verdict,
-          mix(run << 8 | track_.run(1, 255), track_.bends() << 3 | base)),
+          mix(last << 8 | run(1, 255), track_.bends() << 3 | base)),
       mix(track_.chord(8), mix(track_.chord(60), base)),
-      mix(track_.chord(24), mix(track_.bulge(24) << 8 | run, base)),
+      mix(track_.chord(24), mix(track_.bulge(24) << 8 | last, base)),
       mix(sight.verdict, mix(history(8), base)),
-      mix(sight.grid, mix(run << 3 | history(1), base)),
+      mix(sight.grid, mix(last << 3 | history(1), base)),
       mix(sight.near, mix(sight.level << 3 | sight.guess, base))};
   std::copy(more.begin(), more.end(), values_.begin() + known.size());
 
@@ -74,9 +87,12 @@ void DeepCentrelineModel::look(const Sight& sight) {
       static_cast<std::size_t>(sight.near * kGolden >> 54) * kNodes;
   const Selectors first = selectors(sight);
   std::copy(first.begin(), first.end(), choice_.vectors.begin());
+  const std::size_t octave =
+      std::min<std::size_t>(std::bit_width(last), 7) * kNodes;
+  choice_.vectors[4] = octave;
   choice_.vectors[5] = near;
   choice_.vectors[6] = static_cast<std::size_t>(sight.verdict) * kNodes;
-  choice_.refined = {first[0], first[1], near};
+  choice_.refined = {octave, first[0], near};
   choice_.last = std::min(sight.level, 7U) * kNodes;
 }
 
@@ -88,8 +104,9 @@ void DeepCentrelineModel::ask(unsigned found) {
   for (std::size_t s = 0; s < kVectors.size(); ++s) {
     choice_.vectors[s] += kVectors[s];
   }
-  choice_.refined[0] += kVectors[0];
-  choice_.refined[1] += kVectors[1];
+  choice_.vectors[4] += kRuns / 2 * kNodes;
+  choice_.refined[0] += kRuns / 2 * kNodes;
+  choice_.refined[1] += kVectors[0];
 }
 
 }  // namespace unstep::codec

@@ -10,7 +10,7 @@
 namespace unstep::codec {
 
 /// Predicts which pixels around the head of a line are ink for the max effort:
-/// the contexts of CentrelineModel and eight more, in a DeepModel.
+/// the contexts of CentrelineModel and sixteen more, in a DeepModel.
 class DeepCentrelineModel : public LineFollower<DeepCentrelineModel> {
  public:
   /// The planes and rulers must outlive the model; 2^table_bits slots per
@@ -23,8 +23,8 @@ class DeepCentrelineModel : public LineFollower<DeepCentrelineModel> {
 
  private:
   friend LineFollower<DeepCentrelineModel>;
-  static constexpr std::size_t kAll = LineFollower::kContexts + 8;
-  static constexpr std::size_t kSets = 7;
+  static constexpr std::size_t kAll = LineFollower::kContexts + 15;
+  static constexpr std::size_t kSets = 7;  // x
   using Model = DeepModel<kAll, 0, kSets, 3, kNodes>;
   static const Model::Choice kSizes;
   static std::array<Model::Weights, kNodes> first_weights();

@@ -116,11 +116,11 @@ class LineFollower {
     std::uint64_t home = 0;  ///< the way to the start of the piece, if near
   };
 
-  static constexpr std::size_t kContexts = 15;
+  static constexpr std::size_t kContexts = 8;
   using Values = std::array<std::uint64_t, kContexts>;
   /// Of sets of weights: how many vectors, for the first pixels.
-  using Selectors = std::array<std::size_t, 5>;
-  static constexpr Selectors kVectors{64, 512, 1024, 256, 256};
+  using Selectors = std::array<std::size_t, 4>;
+  static constexpr Selectors kVectors{512, 1024, 256, 256};
 
   /// As many follow for pixels beside one that was found.
   static constexpr Selectors twice(Selectors vectors) {
@@ -138,35 +138,18 @@ class LineFollower {
     const auto history = [this](unsigned turns) {
       return track_.history(turns);
     };
-    const auto run = [this](std::size_t k, std::uint32_t limit) {
-      return track_.run(k, limit);
-    };
-    const std::uint64_t bends = track_.bends();
-    return {
-        mix(near, mix(history(2), base)),
-        mix(near, mix(history(6), base)),
-        mix(history(12), base),
-        mix(run(0, 255) << 8 | run(1, 255), mix(bends & 63, base)),
-        mix((run(0, 127) << 7 | run(1, 127)) << 14 | run(2, 127) << 7 |
-                run(3, 127),
-            mix(bends, base)),
-        mix(all, mix(history(1), base)),
-        mix(verdict << 8 | dss_.previous_length(), mix(history(2), base)),
-        mix(verdict, mix(history(4), base)),
-        mix(track_.chord(16), mix(track_.bulge(16) << 9 | history(3), base)),
-        mix(track_.chord(32), mix(track_.bulge(32) << 9 | history(3), base)),
-        mix(level << 3 | guess, mix(history(2), base)),
-        way_home != 0 ? mix(way_home, mix(history(1), track_.direction()))
-                      : mix(history(3) << 3 | track_.direction(), 99),
-        mix(grid, mix(near, track_.direction())),
-        mix(grid, mix(history(2), base)),
-        mix(verdict, mix(grid, base))};
+    return {mix(near, mix(history(2), base)),
+            mix(near, mix(history(6), base)),
+            mix(all, mix(history(1), base)),
+            mix(verdict, mix(history(4), base)),
+            way_home != 0 ? mix(way_home, mix(history(1), track_.direction()))
+                          : mix(history(3) << 3 | track_.direction(), 99),
+            mix(grid, mix(near, track_.direction())),
+            mix(grid, mix(history(2), base)),
+            mix(level << 3 | guess, base)};
   }
   [[nodiscard]] Selectors selectors(const Sight& sight) const {
-    const auto run =
-        static_cast<std::size_t>(std::bit_width(track_.run(0, 255)));
-    return {std::min<std::size_t>(run, 7) * kNodes,
-            static_cast<std::size_t>(track_.history(2)) * kNodes,
+    return {static_cast<std::size_t>(track_.history(2)) * kNodes,
             (sight.level * 8 + sight.guess) * kNodes +
                 ((sight.patch.ink & pixel_patch::kOuter) != 0 ? 512U : 0U),
             static_cast<std::size_t>(sight.verdict >> 5 & 31) * kNodes,

@@ -20,6 +20,8 @@ template <std::size_t kContexts, std::size_t kLanes>
 class NodeSlots {
  public:
   static constexpr std::size_t kNodes = 8;
+  /// Of a mixer: two for each context, one that never changes.
+  static constexpr std::size_t kInputs = (2 * kContexts + 7) / 8 * 8;
 
   /// 2^table_bits slots per context.
   explicit NodeSlots(int table_bits)
@@ -54,17 +56,17 @@ class NodeSlots {
   /// The lane of the next decision.
   [[nodiscard]] std::size_t lane() const { return decided_; }
 
-  /// Inputs of a mixer for the next decision: stretches, from 16 on distances
-  /// from one half that grow with the age.
-  template <class Inputs>
-  void predict(std::size_t node, Inputs& inputs) const {
+  /// Inputs of a mixer for the next decision: stretches, from the middle
+  /// on distances from one half that grow with the age.
+  void predict(std::size_t node,
+               std::array<std::int16_t, kInputs>& inputs) const {
     for (std::size_t i = 0; i < kContexts; ++i) {
       const Slot& slot = *active_[i];
       inputs[i] = static_cast<std::int16_t>(entropy::stretch(slot.p[node]));
-      inputs[i + 16] = static_cast<std::int16_t>(
+      inputs[i + kInputs / 2] = static_cast<std::int16_t>(
           ((slot.p[node] - 32768) * kTrust[slot.n[node]]) >> 16);
     }
-    inputs[kContexts] = 77;
+    if constexpr (kContexts < kInputs / 2) inputs[kContexts] = 77;
   }
 
   void note(std::size_t node, bool bit) {

@@ -17,7 +17,7 @@ constexpr int kNearRefinerBits = 11;
 constexpr std::array<int, 15> kFewer{1, 0, 0, 0, 0, 0, 0, 3,
                                      0, 0, 0, 1, 2, 0, 0};
 /// Those that the light model has.
-constexpr std::array<std::size_t, 7> kFew{2, 4, 6, 7, 9, 10, 11};
+constexpr std::array<std::size_t, 6> kFew{2, 4, 6, 7, 9, 10};
 
 /// Which context of all views is the model's i-th.
 template <class Model>
@@ -105,11 +105,11 @@ template <TurnViews kViews>
 void MixedTurnModel<kViews>::look_around() {
   const std::uint64_t at_point = patch::ways(around_);
   const std::uint64_t base = at_point << 1 | (ink_ ? 1U : 0U);
+  this->look_aside();
   const Sight right = look(true);
   const Sight left = look(false);
   const std::uint64_t right_sight = right.distance << 6 | right.shape;
   const std::uint64_t left_sight = left.distance << 6 | left.shape;
-  const std::uint64_t verdict = dss_.verdict(direction_);
   const unsigned level = match_.confidence();
   const unsigned guess = level > 0 ? match_.prediction() : 3;
 
@@ -124,8 +124,6 @@ void MixedTurnModel<kViews>::look_around() {
   const std::uint64_t followed = (level << 2 | guess) << 4 | history(2);
   const std::uint64_t chord32 = (chord(32) << 8 | history(4)) << 5 | bulge(32);
   const std::uint64_t chord64 = (chord(64) << 18 | chord(8)) << 5 | bulge(64);
-  const std::uint64_t segment =
-      (verdict << 4 | std::min(dss_.previous_length(), 15U)) << 6 | history(3);
   next_selectors_[0] =
       std::min(right.distance, 7U) * 2 + (left.distance > 0 ? 16U : 0U);
   next_selectors_[1] = static_cast<std::size_t>(history(4)) * 2;
@@ -136,6 +134,11 @@ void MixedTurnModel<kViews>::look_around() {
   if constexpr (kAll) {
     const CurveFit::Forecast expected = forecast();
     const std::uint64_t bend = expected.curve >> 3;
+    const std::uint64_t segment =
+        (std::uint64_t{dss_.verdict(direction_)} << 4 |
+         std::min(dss_.previous_length(), 15U))
+            << 6 |
+        history(3);
     ask(0, history(12));
     ask(1, history(18));
     ask(2, runs);
@@ -156,7 +159,7 @@ void MixedTurnModel<kViews>::look_around() {
     next_refined_[1] = static_cast<std::size_t>(history(6)) * 2;
   } else {
     const std::array<std::uint64_t, kContexts> values{
-        runs, all, sights, followed, chord32, chord64, segment};
+        runs, all, sights, followed, chord32, chord64};
     for (std::size_t i = 0; i < kContexts; ++i) ask(i, values[i]);
   }
 }

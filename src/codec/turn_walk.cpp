@@ -14,9 +14,9 @@ constexpr int kSight = 12;     ///< and look()
 
 }  // namespace
 
-template <bool kCurves>
-void TurnWalk<kCurves>::begin(CrackMap::Address point,
-                              CrackMap::Address flipped, bool ink) {
+template <bool kAll>
+void TurnWalk<kAll>::begin(CrackMap::Address point, CrackMap::Address flipped,
+                           bool ink) {
   direction_ = 0;
   point_ = point + cracks_.step(0);
   flipped_ = flipped + cracks_.flipped_step(0);
@@ -32,11 +32,11 @@ void TurnWalk<kCurves>::begin(CrackMap::Address point,
   dss_.push(0);
   curve_.begin();
   gaps_ = gaps(point, flipped, 0);
-  if constexpr (kCurves) curve_.step(0, 1, 0, gaps_);
+  if constexpr (kAll) curve_.step(0, 1, 0, gaps_);
 }
 
-template <bool kCurves>
-void TurnWalk<kCurves>::move_on(Turn turn) {
+template <bool kAll>
+void TurnWalk<kAll>::move_on(Turn turn) {
   history_ = history_ << 2 | turn;
   if (turn == kStraight) {
     runs_ += (runs_ & 255) != 255 ? 1U : 0U;
@@ -45,31 +45,33 @@ void TurnWalk<kCurves>::move_on(Turn turn) {
     bends_ = bends_ << 2 | turn;
   }
   direction_ = turned(direction_, turn);
-  dss_.push(direction_);
   const auto d = static_cast<std::size_t>(direction_);
   here_.area += std::int64_t{here_.y} * kQuarterDx[d] -
                 std::int64_t{here_.x} * kQuarterDy[d];
   here_.x += kQuarterDx[d];
   here_.y += kQuarterDy[d];
-  gaps_ = gaps(point_, flipped_, direction_);
-  if constexpr (kCurves) curve_.step(direction_, here_.x, here_.y, gaps_);
+  if constexpr (kAll) {
+    dss_.push(direction_);
+    gaps_ = gaps(point_, flipped_, direction_);
+    curve_.step(direction_, here_.x, here_.y, gaps_);
+  }
   point_ += cracks_.step(direction_);
   flipped_ += cracks_.flipped_step(direction_);
   ++steps_;
   trail_[steps_ % trail_.size()] = here_;
 }
 
-template <bool kCurves>
-entropy::Counter& TurnWalk<kCurves>::gate() {
+template <bool kAll>
+entropy::Counter& TurnWalk<kAll>::gate() {
   const std::uint64_t hash = mix(around_ & patch::kNear, history(12)) * kGolden;
   return gates_[hash >> (64 - kGateBits)];
 }
 
 /// The nearest cracks parallel to the one that leaves a point.
-template <bool kCurves>
-CurveFit::Gaps TurnWalk<kCurves>::gaps(CrackMap::Address point,
-                                       CrackMap::Address flipped,
-                                       Quarter direction) const {
+template <bool kAll>
+CurveFit::Gaps TurnWalk<kAll>::gaps(CrackMap::Address point,
+                                    CrackMap::Address flipped,
+                                    Quarter direction) const {
   // The crack's bit in the plane where those beside it are its neighbours.
   const CrackMap::Address bit =
       (direction & 1) != 0 ? point + cracks_.crack(direction)
@@ -85,8 +87,8 @@ CurveFit::Gaps TurnWalk<kCurves>::gaps(CrackMap::Address point,
 }
 
 /// The nearest crack parallel to the one just walked, on one side.
-template <bool kCurves>
-typename TurnWalk<kCurves>::Sight TurnWalk<kCurves>::look(bool right) const {
+template <bool kAll>
+typename TurnWalk<kAll>::Sight TurnWalk<kAll>::look(bool right) const {
   const bool greater = right == (direction_ == 0 || direction_ == 3);
   const int distance = gaps_[greater ? 0 : 1];
   if (distance == 0 || distance > kSight) return {};
@@ -96,8 +98,8 @@ typename TurnWalk<kCurves>::Sight TurnWalk<kCurves>::look(bool right) const {
 }
 
 /// Where the curve goes, on the axis along which most of the last steps went.
-template <bool kCurves>
-CurveFit::Forecast TurnWalk<kCurves>::forecast() const {
+template <bool kAll>
+CurveFit::Forecast TurnWalk<kAll>::forecast() const {
   const Trail& t = trail(std::min(steps_, 16U));
   const std::size_t axis =
       std::abs(here_.x - t.x) >= std::abs(here_.y - t.y) ? 0 : 1;
@@ -105,8 +107,8 @@ CurveFit::Forecast TurnWalk<kCurves>::forecast() const {
                          gaps(point_, flipped_, curve_.heading(axis)));
 }
 
-template <bool kCurves>
-unsigned TurnWalk<kCurves>::shape(CrackMap::Address point) const {
+template <bool kAll>
+unsigned TurnWalk<kAll>::shape(CrackMap::Address point) const {
   const CrackMap::Address on = cracks_.crack(direction_);
   const CrackMap::Address right = cracks_.crack((direction_ + 1) & 3);
   const CrackMap::Address left = cracks_.crack((direction_ + 3) & 3);
@@ -117,8 +119,8 @@ unsigned TurnWalk<kCurves>::shape(CrackMap::Address point) const {
 }
 
 /// The last n steps as a chord, in the frame of the current direction: 18 bits.
-template <bool kCurves>
-std::uint64_t TurnWalk<kCurves>::chord(std::uint32_t n) const {
+template <bool kAll>
+std::uint64_t TurnWalk<kAll>::chord(std::uint32_t n) const {
   if (steps_ < n) return 0;
   const std::int32_t dx = here_.x - trail(n).x;
   const std::int32_t dy = here_.y - trail(n).y;
@@ -130,8 +132,8 @@ std::uint64_t TurnWalk<kCurves>::chord(std::uint32_t n) const {
 }
 
 /// Doubled area between the last n steps and their chord (patent's F).
-template <bool kCurves>
-unsigned TurnWalk<kCurves>::bulge(std::uint32_t n) const {
+template <bool kAll>
+unsigned TurnWalk<kAll>::bulge(std::uint32_t n) const {
   if (steps_ < n) return 0;
   const Trail& t = trail(n);
   const std::int64_t dx = here_.x - t.x;

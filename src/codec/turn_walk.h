@@ -20,9 +20,10 @@ using trace::Turn;
 using trace::turned;
 
 /// A contour as it is walked: where the walk is, what it did, and what it sees
-/// around it. Models of turns make their contexts of this. `kCurves`: curves
-/// are fitted to the last places, for forecast().
-template <bool kCurves>
+/// around it. Models of turns make their contexts of this. `kAll`: a straight
+/// segment and curves are fitted to the last places at every step, for dss_ and
+/// forecast(); else neither is kept, and gaps are looked for when asked for.
+template <bool kAll>
 class TurnWalk {
  public:
   /// A gate is one counter that decides whether a bend is so unlikely that it
@@ -69,6 +70,14 @@ class TurnWalk {
   /// The last turns, two bits each, the latest lowest.
   [[nodiscard]] std::uint64_t history(unsigned turns) const {
     return history_ & ((std::uint64_t{1} << (2 * turns)) - 1);
+  }
+  /// REQUIRED before look(): finds the cracks beside the one just walked,
+  /// unless every step does.
+  void look_aside() {
+    if constexpr (!kAll) {
+      gaps_ = gaps(point_ - cracks_.step(direction_),
+                   flipped_ - cracks_.flipped_step(direction_), direction_);
+    }
   }
   /// `right` or left of the crack just walked.
   [[nodiscard]] Sight look(bool right) const;

@@ -46,7 +46,7 @@ struct Sums {
 
 struct Learned {
   Sums<2 * CentrelineModel::kNodes, CentrelineModel::kInputs> lines;
-  Sums<2, CentrelineStartModel::Words::kInputs> starts;
+  Sums<3, CentrelineStartModel::Words::kInputs> starts;
 };
 
 void learn(const char* file, Learned& learned) {
@@ -56,29 +56,31 @@ void learn(const char* file, Learned& learned) {
   if (!reader) return;
   const Result<RasterPage> page = reader->read(0);
   if (!page) return;
-  (void)codec::show_centreline_models(page->ink, [&](const CentrelineModel&
-                                                         lines,
-                                                     const CentrelineStartModel&
-                                                         starts) {
-    for (std::size_t set = 0; set < CentrelineModel::kSets; ++set) {
-      const auto ages = lines.mixer().ages(set);
-      for (std::size_t k = 0; k < ages.size(); ++k) {
-        const std::size_t beside = k < ages.size() / 2 ? 0 : 1;
-        learned.lines.add(
-            beside * CentrelineModel::kNodes + k % CentrelineModel::kNodes,
-            lines.mixer().weights(set, k), ages[k]);
-      }
-    }
-    const std::array mixers{&starts.words().mixer(), &starts.pixels().mixer()};
-    for (std::size_t which = 0; which < 2; ++which) {
-      for (std::size_t set = 0; set < 3; ++set) {
-        const auto ages = mixers[which]->ages(set);
-        for (std::size_t k = 0; k < ages.size(); ++k) {
-          learned.starts.add(which, mixers[which]->weights(set, k), ages[k]);
+  (void)codec::show_centreline_models(
+      page->ink,
+      [&](const CentrelineModel& lines, const CentrelineStartModel& starts) {
+        for (std::size_t set = 0; set < CentrelineModel::kSets; ++set) {
+          const auto ages = lines.mixer().ages(set);
+          for (std::size_t k = 0; k < ages.size(); ++k) {
+            const std::size_t beside = k < ages.size() / 2 ? 0 : 1;
+            learned.lines.add(
+                beside * CentrelineModel::kNodes + k % CentrelineModel::kNodes,
+                lines.mixer().weights(set, k), ages[k]);
+          }
         }
-      }
-    }
-  });
+        const std::array mixers{&starts.words().mixer(),
+                                &starts.spans().mixer(),
+                                &starts.pixels().mixer()};
+        for (std::size_t which = 0; which < 3; ++which) {
+          for (std::size_t set = 0; set < 3; ++set) {
+            const auto ages = mixers[which]->ages(set);
+            for (std::size_t k = 0; k < ages.size(); ++k) {
+              learned.starts.add(which, mixers[which]->weights(set, k),
+                                 ages[k]);
+            }
+          }
+        }
+      });
 }
 
 template <std::size_t kCount, std::size_t kInputs>

@@ -58,7 +58,7 @@ class Refined(Decisions):
     """A model of starts."""
 
     def __init__(self, weights):
-        super().__init__(10, 14)
+        super().__init__(5, 14)
         first = [clamp(4 * w, -32768, 32767) for w in weights]
         self.mixer.sets = [Vectors(first) for _ in range(3)]
         self.refiners = Refiner(), Refiner()
@@ -89,13 +89,11 @@ class Starts:
         self.ruler, self.gates = Ruler(), {}
         self.words = [[0, 0, -1000, 0]
                       for _ in range((pixels.width + 63) // 64 + 2)]
-        self.last = {}
-        self.any, self.one = Refined(weights[0]), Refined(weights[1])
-        self.y = self.row_before = self.n = 0
+        self.last, self.last_in_span = {}, {}
+        self.any, self.span, self.one = map(Refined, weights)
+        self.y = self.n = 0
 
     def begin_row(self, y):
-        if self.n:
-            self.row_before = self.y
         self.y, self.n, self.before = y, 0, -1000
         if y % 4 == 0:
             for word in self.words:
@@ -112,9 +110,9 @@ class Starts:
         B = bits((left[0] + right[0]) // 64)
         W = bits((left[1] + here[1] + right[1]) // 2 // 64)
         z = bits(len(unknown))
-        c = bits(sum(map(self.near_ink, unknown)))
+        self.near = set(filter(self.near_ink, unknown))
+        c = bits(len(self.near))
         Z, f = 8 * z + c, min(self.n, 3)
-        D = min(self.y - self.row_before, 63)
         R = self.rows.level(self.y, self.y + 1)
 
         def A(w, most):
@@ -126,42 +124,58 @@ class Starts:
             found = coder.decode(gate[0] + 4, "")
         else:
             found = self.any.decode(coder, [
-                mix(Q, z), mix(S, z), mix(W, z), mix(16 * B + Q, Z),
-                mix(f, Z), mix(16 * S + W, c), mix(64 * D + f, 8 * S + c),
+                mix(16 * B + Q, Z), mix(16 * S + W, c),
                 mix(A(here, 80), 8 * S + c),
                 mix(mix(A(left, 50), A(right, 50)), A(here, 50)),
                 mix(R, mix(min(self.n, 7), S))], 0, (Z, 16 * Q + S, W))
         gate[:] = move(*gate, found), min(255, gate[1] + 1)
         return found
 
+    def age(self, last, i, most):
+        return min(self.y - last.get(i, -1000), most)
+
+    def decode_span(self, coder, i, inside, after):
+        """Whether the first start is one of those `inside` span i."""
+        word, last = self.words[i // 8 + 1], self.last_in_span
+        s, k = len(inside), len(after)
+        v, r = (len(self.near.intersection(x)) for x in (inside, after))
+        b = sum(128 >> x % 8 for x in inside if x in self.near)
+        t, e = self.age(last, i, 60), clamp(8 * i - self.before, 0, 300)
+        return self.span.decode(coder, [
+            mix(b, mix(k, min(t, 20))), mix(e, 5),
+            mix(64 * s + k, 64 * v + r),
+            mix(8 + clamp(i - word[3] // 8, -8, 8),
+                mix(k, min(self.y - word[2], 3))),
+            mix(mix(self.age(last, i - 1, 30), self.age(last, i + 1, 30)),
+                t)], 0, (k, min(e, 100), 9 * s + v))
+
     def decode_one(self, coder, x, k):
-        word = self.words[x // 64 + 1]
-        all_, near, _ = self.pixels.patch(x, self.y, 0)
-        e = min(x - self.before, 300)
-
-        def age(i, most):
-            return min(self.y - self.last.get(i, -1000), most)
-
-        t, column = age(x, 60), self.columns.level(x, self.pixels.width)
+        word, last = self.words[x // 64 + 1], self.last
+        _, near, _ = self.pixels.patch(x, self.y, 0)
+        t, e = self.age(last, x, 60), min(x - self.before, 300)
+        column = self.columns.level(x, self.pixels.width)
         starts = self.ruler.level(x, self.pixels.width)
         return self.one.decode(coder, [
-            mix(all_, min(t, 20)), mix(near, k), mix(k, 4), mix(e, 5),
-            mix(t, 6), mix(t, mix(e, 7)), mix(column, k),
-            mix(column, mix(starts, int(e < 20))),
+            mix(near, k), mix(e, 5), mix(column, mix(starts, int(e < 20))),
             mix(64 + clamp(x - word[3], -64, 64), min(self.y - word[2], 3)),
-            mix(mix(age(x - 1, 30), age(x + 1, 30)), t)], 0,
-            (k, min(e, 100), column))
+            mix(mix(self.age(last, x - 1, 30), self.age(last, x + 1, 30)),
+                t)], 0, (k, min(e, 100), column))
 
     def decode(self, coder, unknown, word):
         if not self.decode_any(coder, unknown, word):
             return None
-        for i, x in enumerate(unknown):
-            if i == len(unknown) - 1 or self.decode_one(
-                    coder, x, len(unknown) - 1 - i):
+        while True:
+            i = unknown[0] // 8
+            inside = [x for x in unknown if x // 8 == i]
+            unknown = unknown[len(inside):]
+            if not unknown or self.decode_span(coder, i, inside, unknown):
+                break
+        for i, x in enumerate(inside, 1):
+            if i == len(inside) or self.decode_one(coder, x, len(inside) - i):
                 break
         self.n += 1
         self.before = x
-        self.last[x] = self.y
+        self.last[x] = self.last_in_span[x // 8] = self.y
         self.ruler.add(x)
         w = self.words[word + 1]
         w[:] = w[0] + 4096, w[1] + 4096, self.y, x

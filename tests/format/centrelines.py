@@ -32,13 +32,13 @@ def turned(x, y, quarters):
 class Lines:
     """Pixels around."""
 
-    SIZES = 64, 512, 1024, 256, 256
+    SIZES = 512, 1024, 256, 256
 
     def __init__(self, pixels, columns, rows, weights):
         self.pixels, self.columns, self.rows = pixels, columns, rows
         size = pixels.width * pixels.rows
         self.T = 11 if size < 40000 else 13 if size < 2000000 else 15
-        self.slots = [{} for _ in range(15)]
+        self.slots = [{} for _ in range(8)]
         self.mixer = Mixer([2 * s for s in self.SIZES], weights[:8])
         later = [[clamp(4 * w, -32768, 32767) for w in v]
                  for v in weights[8:]]
@@ -92,7 +92,7 @@ class Lines:
 
     def look(self, start):
         x, y = self.head()
-        d, h, run, bend = self.d, self.last, self.run, self.bend
+        d, h = self.d, self.last
         steps = len(self.trail) - 1
         base = d % 2 + 2 * min(steps, 3)
         all_, near, outer = self.pixels.patch(x, y, d // 2)
@@ -103,26 +103,13 @@ class Lines:
         i, j = start[0] - x, start[1] - y
         home = (0 if abs(i) > 20 or abs(j) > 20
                 else 128 * (i + 32) + j + 32)
-        runs = [min(r, 127) for r in run]
         self.values = [
             mix(near, mix(h(2), base)), mix(near, mix(h(6), base)),
-            mix(h(12), base),
-            mix(256 * min(run[0], 255) + min(run[1], 255),
-                mix(bend[0] + 8 * bend[1], base)),
-            mix(runs[0] << 21 | runs[1] << 14 | runs[2] << 7 | runs[3],
-                mix(bend[0] + 8 * bend[1] + 64 * bend[2], base)),
-            mix(all_, mix(h(1), base)),
-            mix(256 * verdict + min(self.segment.previous, 255),
-                mix(h(2), base)),
-            mix(verdict, mix(h(4), base)),
-            mix(self.chord(16), mix(512 * self.bulge(16) | h(3), base)),
-            mix(self.chord(32), mix(512 * self.bulge(32) | h(3), base)),
-            mix(8 * level + guess, mix(h(2), base)),
+            mix(all_, mix(h(1), base)), mix(verdict, mix(h(4), base)),
             mix(home, mix(h(1), d)) if home else mix(8 * h(3) + d, 99),
             mix(grid, mix(near, d)), mix(grid, mix(h(2), base)),
-            mix(verdict, mix(grid, base))]
-        self.chosen = [8 * min(bits(run[0]), 7), 8 * h(2),
-                       64 * level + 8 * guess + 512 * (outer != 0),
+            mix(8 * level + guess, base)]
+        self.chosen = [8 * h(2), 64 * level + 8 * guess + 512 * (outer != 0),
                        8 * (verdict >> 5 & 31),
                        16 * min(steps, 15) + 8 * (home != 0)]
 
@@ -141,14 +128,14 @@ class Lines:
 
     def decide(self, coder, node):
         counters = [slot[node] for slot in self.found]
-        inputs = ([STRETCH[p >> 4] for p, _ in counters] + [77]
+        inputs = ([STRETCH[p >> 4] for p, _ in counters]
                   + [(p - 32768) * 51 * min(n, 30) >> 16
-                     for p, n in counters] + [0])
+                     for p, n in counters])
         chosen = [c + node + s * self.more
                   for c, s in zip(self.chosen, self.SIZES)]
         x = self.mixer.mean(inputs, chosen)
         p = 2 * squash(x) + sum(r.refine(x, c) for r, c in
-                                zip(self.refiners, chosen))
+                                zip(self.refiners, chosen[::3]))
         bit = coder.decode(clamp(p // 4, 4, 65532), "")
         for refiner in self.refiners:
             refiner.learn(bit)

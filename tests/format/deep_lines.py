@@ -1,5 +1,5 @@
 """Section "Deep centrelines" of docs/format.md."""
-from centreline_starts import Starts
+from centreline_starts import Starts, bits
 from centrelines import Centrelines, Lines, first_weights
 from deep import Deep
 from entropy import K, M64
@@ -12,9 +12,9 @@ class DeepLines(Lines):
         vectors = []
         for w in weights[:8]:
             def part(first, other):
-                return [int(w[first + i] * 4 / 5) if i < 15 else other
+                return [int(w[first + i] * 4 / 5) if i < 8 else other
                         for i in range(23)]
-            vectors.append(part(0, 226) + part(16, 86) + [65] * 23 + [w[15]])
+            vectors.append(part(0, 226) + part(8, 86) + [65] * 23 + [0])
         self.deep = Deep(23, 0, self.T + 1, 3, vectors)
 
     def look(self, start):
@@ -28,7 +28,17 @@ class DeepLines(Lines):
         verdict = self.segment.verdict(self.d)
         level, guess = self.match.level(), self.match.guess()
         bends = sum(b << 3 * i for i, b in enumerate(self.bend))
+        runs = [min(r, 127) for r in self.run]
         self.values += [
+            mix(run[0] << 8 | run[1], mix(bends & 63, base)),
+            mix(self.chord(32), mix(self.bulge(32) << 9 | h(3), base)),
+            mix(h(12), base),
+            mix(runs[0] << 21 | runs[1] << 14 | runs[2] << 7 | runs[3],
+                mix(bends, base)),
+            mix(verdict << 8 | min(self.segment.previous, 255),
+                mix(h(2), base)),
+            mix(self.chord(16), mix(self.bulge(16) << 9 | h(3), base)),
+            mix(verdict, mix(grid, base)),
             mix(all_, mix(h(4), base)), mix(h(20), base),
             mix(verdict, mix(run[0] << 8 | run[1], bends << 3 | base)),
             mix(self.chord(8), mix(self.chord(60), base)),
@@ -37,7 +47,7 @@ class DeepLines(Lines):
             mix(grid, mix(run[0] << 3 | h(1), base)),
             mix(near, mix(8 * level + guess, base))]
         self.near = 8 * ((near * K & M64) >> 54)
-        self.chosen += [self.near, 8 * verdict]
+        self.chosen += [8 * min(bits(run[0]), 7), self.near, 8 * verdict]
         self.level = level
 
     def ask(self, first):
@@ -47,16 +57,16 @@ class DeepLines(Lines):
 
     def decide(self, coder, node):
         chosen = [c + node + s * self.more for c, s in
-                  zip(self.chosen, self.SIZES + (0, 0))]
+                  zip(self.chosen, self.SIZES + (64, 0, 0))]
         return self.deep.decode(coder, [], chosen,
-                                [*chosen[:2], self.near + node],
+                                [chosen[4], chosen[0], self.near + node],
                                 8 * self.level + node, node)
 
 
 class DeepDecisions:
     def __init__(self, weights):
-        self.deep = Deep(10, 0, 14, 2, [
-            weights[0:20:2] + weights[1:20:2] + [0] * 10 + [weights[20]]])
+        self.deep = Deep(5, 0, 14, 2, [
+            weights[0:10:2] + weights[1:10:2] + [0] * 5 + [weights[10]]])
 
     def decode(self, coder, values, node, selectors):
         self.deep.ask_mixed([mix(v, node) for v in values])
@@ -68,4 +78,5 @@ class DeepCentrelines(Centrelines):
         weights, of_starts = first_weights()
         self.lines = DeepLines(*known, weights)
         self.starts = Starts(*known, of_starts)
-        self.starts.any, self.starts.one = map(DeepDecisions, of_starts)
+        self.starts.any, self.starts.span, self.starts.one = map(
+            DeepDecisions, of_starts)

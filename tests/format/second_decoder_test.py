@@ -76,7 +76,8 @@ def text(width, height, rough):
 
 
 def thin_map(width, height, pieces):
-    """Polygons of lines one pixel thin, on a grid; they cross and touch."""
+    """Polygons of lines one pixel thin, on a grid; they cross and touch. Dots
+    beside some, three in eight pixels of a row."""
     page, state = [["."] * width for _ in range(height)], 7
 
     def below(n):
@@ -98,6 +99,9 @@ def thin_map(width, height, pieces):
                             min(max(y + below(5) * 15 - 30, 0), height - 1)))
         for a, b in zip(corners, corners[1:] + corners[:1]):
             line(a, b)
+        x, y = corners[0]
+        for dot in range(x + 2, min(x + 9, width), 3):
+            page[(y + 7) % height][dot] = "#"
     return pbm(["".join(row) for row in page])
 
 

@@ -45,7 +45,7 @@ class TurnModel(Walker):
     """Sections "Turn" and, with `light`, "Light turns"."""
 
     FEWER = (1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 1, 2, 0, 0)
-    ALL, FEW = range(15), (2, 4, 6, 7, 9, 10, 11)
+    ALL, FEW = range(15), (2, 4, 6, 7, 9, 10)
 
     def __init__(self, cracks, table_bits, table, light=False):
         self.cracks, self.light = cracks, light
