@@ -140,11 +140,9 @@ void DeepTurnModel::ask_about_edges(std::uint64_t base, const Sight& right,
   ask(26, bends, to_right >> 2);
   ask(27, (bends >> 2) << 8 | to_right >> 3,
       mix(around_ & patch::kNear, history(4)));
-  ask(28,
-      static_cast<std::uint64_t>(edges_.age()) << 4 | edges_.vertex() >> 4,
+  ask(28, static_cast<std::uint64_t>(edges_.age()) << 4 | edges_.vertex() >> 4,
       (runs_ & 255) << 4 | history(2));
-  ask(29, edges_.place(),
-      mix(bends >> 1, right.distance << 4 | left.distance));
+  ask(29, edges_.place(), mix(bends >> 1, right.distance << 4 | left.distance));
 }
 
 /// The forecast's probability of the next decision: two inputs, a vector and a

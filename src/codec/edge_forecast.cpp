@@ -79,10 +79,10 @@ bool SlopeRange::holds(int dx, int dy) const {
 
 std::uint64_t SlopeRange::weight(int dy) const {
   if (low * high_of > high * low_of) return 0;
-  std::uint64_t sum = long_weight(dy) *
-                          static_cast<std::uint64_t>(fixed(high, high_of) -
-                                                     fixed(low, low_of)) >>
-                      16;
+  std::uint64_t sum =
+      long_weight(dy) * static_cast<std::uint64_t>(fixed(high, high_of) -
+                                                   fixed(low, low_of)) >>
+      16;
   for (int y = dy; y <= kLongest; ++y) {
     const int a = std::max(ceil_of(low * y, low_of), -kLongest);
     const int b = std::min(floor_of(high * y, high_of), kLongest);
@@ -170,7 +170,7 @@ void EdgeForecast::scale(std::uint64_t all) {
   }
   int up = 0;
   while (all << up < std::uint64_t{1} << 50) up += 2;
-  while (all >> -up > std::uint64_t{1} << 54) up -= 2;
+  while (up <= 0 && all >> -up > std::uint64_t{1} << 54) up -= 2;
   const auto scaled = [up](std::uint64_t v) {
     return up >= 0 ? v << up : v >> -up;
   };
@@ -222,7 +222,8 @@ void EdgeForecast::look() {
   // From a vertex the contour may as well turn back.
   static const std::uint64_t kAny = SlopeRange{}.weight(1);
   const std::uint64_t back = chance_ * (kAny / 2);
-  vertex_ = static_cast<unsigned>((back >> 8) * 255 / (((back + all) >> 8) + 1));
+  vertex_ =
+      static_cast<unsigned>((back >> 8) * 255 / (((back + all) >> 8) + 1));
   if (!beside()) {
     bends_ = share(ahead.east + ahead.west + back, ahead.here);
     const std::uint64_t east = ahead.east + back / 2;
@@ -242,7 +243,9 @@ void EdgeForecast::look() {
   place_ = static_cast<std::uint64_t>(std::min(age_, 63)) << 14 |
            static_cast<std::uint64_t>(moved & 255) << 6 |
            static_cast<std::uint64_t>(std::min(moved_, 15)) << 2 |
-           (!beside() ? 0U : direction_ == 0 ? 1U : 2U);
+           (!beside()         ? 0U
+            : direction_ == 0 ? 1U
+                              : 2U);
 }
 
 }  // namespace unstep::codec

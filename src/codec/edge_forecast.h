@@ -59,9 +59,9 @@ class EdgeForecast {
   };
   /// The chances of what comes next.
   struct Ahead {
-    std::uint64_t here = 0;   ///< the next row's edge is in this column
-    std::uint64_t east = 0;   ///< or farther to the east
-    std::uint64_t west = 0;   ///< or to the west
+    std::uint64_t here = 0;  ///< the next row's edge is in this column
+    std::uint64_t east = 0;  ///< or farther to the east
+    std::uint64_t west = 0;  ///< or to the west
   };
 
   void begin_edge();
@@ -77,12 +77,12 @@ class EdgeForecast {
 
   std::vector<Anchor> anchors_;
   bool ink_ = false;
-  int direction_ = 0;  ///< of the last step
-  int down_ = 0;       ///< 1 or 3: the way of the edge; 0: none yet
-  int column_ = 0;     ///< of the walk
-  int moved_ = 0;      ///< steps along the row
-  int row_ = 0;        ///< of the edge
-  int x_ = 0;          ///< its pixel there
+  int direction_ = 0;         ///< of the last step
+  int down_ = 0;              ///< 1 or 3: the way of the edge; 0: none yet
+  int column_ = 0;            ///< of the walk
+  int moved_ = 0;             ///< steps along the row
+  int row_ = 0;               ///< of the edge
+  int x_ = 0;                 ///< its pixel there
   std::uint64_t chance_ = 0;  ///< of a vertex there
 
   int bends_ = 0, right_ = 0, age_ = 0;
