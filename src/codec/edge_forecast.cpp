@@ -50,7 +50,7 @@ std::int64_t fixed(int n, int of) {
 int apart(int from, int to) { return std::clamp(to - from, -4000, 4000); }
 
 /// Of 65536.
-int share(std::uint64_t part, std::uint64_t rest) {
+int odds(std::uint64_t part, std::uint64_t rest) {
   part >>= 14;
   rest >>= 14;
   return static_cast<int>(
@@ -225,15 +225,15 @@ void EdgeForecast::look() {
   vertex_ =
       static_cast<unsigned>((back >> 8) * 255 / (((back + all) >> 8) + 1));
   if (!beside()) {
-    bends_ = share(ahead.east + ahead.west + back, ahead.here);
+    bends_ = odds(ahead.east + ahead.west + back, ahead.here);
     const std::uint64_t east = ahead.east + back / 2;
     const std::uint64_t west = ahead.west + back / 2;
-    right_ = down_ == 3 ? share(east, west) : share(west, east);
+    right_ = down_ == 3 ? odds(east, west) : odds(west, east);
   } else {
-    bends_ = share(ahead.here + back / 8,
-                   (direction_ == 0 ? ahead.east : ahead.west) + back / 2);
-    right_ = (direction_ == 0) == (down_ == 1) ? share(ahead.here, back / 8)
-                                               : share(back / 8, ahead.here);
+    bends_ = odds(ahead.here + back / 8,
+                  (direction_ == 0 ? ahead.east : ahead.west) + back / 2);
+    right_ = (direction_ == 0) == (down_ == 1) ? odds(ahead.here, back / 8)
+                                               : odds(back / 8, ahead.here);
   }
   int moved = 0;
   if (likeliest != nullptr) {
