@@ -47,7 +47,7 @@ class EdgeForecast {
 
  private:
   static constexpr int kOldest = 200;              ///< rows
-  static constexpr std::size_t kMostAnchors = 16;  ///< bounds the work
+  static constexpr std::size_t kMostAnchors = 8;  ///< bounds the work
 
   /// A pixel that may be the vertex where the edge began.
   struct Anchor {

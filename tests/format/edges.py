@@ -118,7 +118,7 @@ class Edges:
                     line_weight(length) if length <= LONGEST
                     else long_weight(dy) // (50 * length))
         every = sum(a[4] for a in kept)
-        if len(kept) > 16:
+        if len(kept) > 8:
             kept.remove(min(kept, key=lambda a: a[4]))
         self.chance = (vertex >> 24) + (every >> 34) + 1
         self.anchors = kept
