@@ -109,4 +109,11 @@ void DeepCentrelineModel::ask(unsigned found) {
   choice_.refined[1] += kVectors[0];
 }
 
+/// Whether there are more pixels depends on which was found first.
+void DeepCentrelineModel::ask_beside(Node first) {
+  for (std::size_t i = 0; i < kAll; ++i) {
+    model_.ask_mixed(i, mix(values_[i], 256U + first));
+  }
+}
+
 }  // namespace unstep::codec

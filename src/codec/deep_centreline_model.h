@@ -31,13 +31,17 @@ class DeepCentrelineModel : public LineFollower<DeepCentrelineModel> {
 
   void look(const Sight& sight);
   void ask(unsigned found);
+  void ask_beside(Node first);
   template <class Coder>
   bool decide(Coder& coder, Node node, bool bit) {
+    if (node == kMoreAside) ask_beside(last_);
+    last_ = node;
     return model_.code(coder, bit, choice_ + node, node);
   }
 
   Model model_;
   Model::Choice choice_;
+  Node last_ = kAhead;  ///< decided
   std::array<std::uint64_t, kAll> values_{};
 };
 

@@ -17,12 +17,17 @@ std::uint64_t expected_by(const Match& match) {
   return level << 2 | (level > 0 ? match.prediction() : 3U);
 }
 
+/// 4..59: steps of a quarter of a nat.
+int level_of(int probability) {
+  return (entropy::stretch(probability) + 2048) >> 6;
+}
+
 }  // namespace
 
 // Each is for both nodes.
 const DeepTurnModel::Model::Choice DeepTurnModel::kSizes{
-    {64, 1024, 1024, 1024, 2048, 2048, 1024, 512},
-    {2 << kRefinerBits, 8192, 2048, 64},
+    {64, 1024, 1024, 1024, 2048, 2048, 1024, 512, 128, 1024},
+    {2 << kRefinerBits, 8192, 2048, 64, 128},
     64};
 
 /// The weights of the table for the contexts that it knows, a little smaller
@@ -44,6 +49,7 @@ std::array<DeepTurnModel::Model::Weights, 2> DeepTurnModel::first_weights(
       to[2 * kContexts + i] = 1500 / kContexts;
     }
     to[Model::kFirstExtra] = from[kKnown];
+    to[Model::kFirstExtra + 1] = 300;
   }
   return weights;
 }
@@ -119,7 +125,34 @@ void DeepTurnModel::look_around() {
   ask_more(23, chord(48) << 5 | bulge(48), chord(4));
   ask_more(24, chord(40) << 18 | chord(12), history(2));
   ask_more(25, expected_by(long_match_), 0);
+  ask_about_edges(base, right, left);
   choose(right, left, expected.curve);
+}
+
+void DeepTurnModel::ask_about_edges(std::uint64_t base, const Sight& right,
+                                    const Sight& left) {
+  edges_.look();
+  const auto bends = static_cast<std::uint64_t>(level_of(edges_.bends()));
+  const auto to_right = static_cast<std::uint64_t>(level_of(edges_.right()));
+  const auto ask = [&](std::size_t i, std::uint64_t a, std::uint64_t b) {
+    model_.ask_mixed(i, mix(mix(a, b), base));
+  };
+  ask(26, bends, to_right >> 2);
+  ask(27, (bends >> 2) << 8 | to_right >> 3,
+      mix(around_ & patch::kNear, history(4)));
+  ask(28, static_cast<std::uint64_t>(edges_.age()) << 4 | edges_.vertex() >> 4,
+      (runs_ & 255) << 4 | history(2));
+  ask(29, edges_.place(), mix(bends >> 1, right.distance << 4 | left.distance));
+}
+
+/// The forecast's probability of the next decision: two inputs, a vector and a
+/// context of a refiner.
+void DeepTurnModel::expect(int probability) {
+  model_.set_extra(1, entropy::stretch(probability));
+  model_.set_extra(2, (probability - 32768) / 32);
+  const auto level = static_cast<std::size_t>(level_of(probability));
+  choice_.vectors[8] = level * 2;
+  choice_.refined[4] = level * 2;
 }
 
 void DeepTurnModel::choose(const Sight& right, const Sight& left,
@@ -140,8 +173,11 @@ void DeepTurnModel::choose(const Sight& right, const Sight& left,
       (near >> 1) * 2,
       (run(0) * 16 + run(1)) * 4 + (bends_ & 1) * 2,
       expected_by(long_match_) * 16 +
-          std::min<std::size_t>(std::bit_width(steps_), 7) * 2};
-  choice_.refined = {near * 2, history(6) * 2, verdict * 2, followed * 2};
+          std::min<std::size_t>(std::bit_width(steps_), 7) * 2,
+      0,
+      static_cast<std::size_t>(std::min(edges_.age(), 31)) * 32 +
+          (edges_.vertex() >> 4) * 2};
+  choice_.refined = {near * 2, history(6) * 2, verdict * 2, followed * 2, 0};
   choice_.last = followed * 2;
 }
 

@@ -7,6 +7,7 @@
 
 #include "codec/deep_model.h"
 #include "codec/deep_start_model.h"
+#include "codec/edge_forecast.h"
 #include "codec/match_model.h"
 #include "codec/turn_walk.h"
 #include "codec/warm_start.h"
@@ -15,13 +16,13 @@
 namespace unstep::codec {
 
 /// Predicts the turns of contours for the max effort: the contexts of
-/// MixedTurnModel and eleven more, in a DeepModel.
+/// MixedTurnModel and fifteen more, in a DeepModel, with an EdgeForecast.
 class DeepTurnModel : public TurnWalk<true> {
  public:
   using Starts = DeepStartModel;
-  static constexpr std::size_t kContexts = 26;
-  static constexpr std::size_t kSets = 8;
-  static constexpr std::size_t kRefiners = 4;
+  static constexpr std::size_t kContexts = 30;
+  static constexpr std::size_t kSets = 10;
+  static constexpr std::size_t kRefiners = 5;
 
   /// `cracks` must outlive the model; 2^table_bits slots per context.
   /// REQUIRES: 8 <= table_bits <= 20.
@@ -30,6 +31,12 @@ class DeepTurnModel : public TurnWalk<true> {
 
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(int table_bits);
+
+  /// As of TurnWalk.
+  void begin(CrackMap::Address point, CrackMap::Address flipped, bool ink) {
+    TurnWalk::begin(point, flipped, ink);
+    edges_.begin(ink);
+  }
 
   /// Codes the turn made at the point. `allowed`: those that are possible, at
   /// least two.
@@ -45,6 +52,7 @@ class DeepTurnModel : public TurnWalk<true> {
     look_around();
     if ((allowed & 1U << kStraight) != 0) {
       model_.set_extra(0, entropy::stretch(gate.p));
+      expect(edges_.bends());
       const bool bends =
           model_.code(coder, turn != kStraight, choice_ + kBends, kBends);
       gate.update(bends);
@@ -53,6 +61,7 @@ class DeepTurnModel : public TurnWalk<true> {
     if ((allowed & 1U << kLeft) == 0) return kRight;
     if ((allowed & 1U << kRight) == 0) return kLeft;
     model_.set_extra(0, 0);
+    expect(edges_.right());
     const bool right =
         model_.code(coder, turn == kRight, choice_ + kToRight, kToRight);
     return right ? kRight : kLeft;
@@ -64,18 +73,23 @@ class DeepTurnModel : public TurnWalk<true> {
     match_.push(turn);
     long_match_.push(turn);
     move_on(turn);
+    edges_.step(direction_);
   }
 
  private:
   /// The two binary decisions that make a turn.
   enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
-  using Model = DeepModel<kContexts, 1, kSets, kRefiners, 2>;
+  using Model = DeepModel<kContexts, 3, kSets, kRefiners, 2>;
   static const Model::Choice kSizes;
   static std::array<Model::Weights, 2> first_weights(const warm::Table& start);
 
   void look_around();
+  void ask_about_edges(std::uint64_t base, const Sight& right,
+                       const Sight& left);
   void choose(const Sight& right, const Sight& left, std::uint64_t curve);
+  void expect(int probability);
 
+  EdgeForecast edges_;
   Model model_;
   Model::Choice choice_;
   MatchModel match_;

@@ -56,6 +56,10 @@ class DeepLines(Lines):
         self.more = first != 0
 
     def decide(self, coder, node):
+        if node == 7:
+            self.deep.ask_mixed([mix(v, 256 + self.before)
+                                 for v in self.values])
+        self.before = node
         chosen = [c + node + s * self.more for c, s in
                   zip(self.chosen, self.SIZES + (64, 0, 0))]
         return self.deep.decode(coder, [], chosen,

@@ -1,9 +1,14 @@
 """Sections "Deep turns" and "Deep far starts" of docs/format.md."""
 from deep import Deep
+from edges import Edges
 from entropy import K, M64, STRETCH, clamp, top, update
 from segment import Match
 from starts import StartModel
 from turns import DX, DY, TurnModel, mix
+
+
+def level_of(probability):
+    return STRETCH[probability >> 4] + 2048 >> 6
 
 
 def level(match):
@@ -18,10 +23,10 @@ class DeepTurnModel(TurnModel):
         for w in table.turn:
             def part(first, other):
                 return [int(w[first + i] * 4 / 5) if i < 15 else other
-                        for i in range(26)]
-            vectors.append(part(0, 200) + part(16, 76) + [57] * 26
-                           + [w[15], 0])
-        self.deep = Deep(26, 1, table_bits, 4, vectors)
+                        for i in range(30)]
+            vectors.append(part(0, 173) + part(16, 66) + [50] * 30
+                           + [w[15], 300, 0, 0])
+        self.deep = Deep(30, 3, table_bits, 5, vectors)
         for i in range(15):
             for index, check, p, n in table.groups[i]:
                 for node in (0, 1):
@@ -31,6 +36,8 @@ class DeepTurnModel(TurnModel):
     def begin(self, x, y, ink):
         super().begin(x, y, ink)
         self.runs, self.bends = [0] * 8, 0
+        self.edges = Edges()
+        self.edges.begin(bool(ink))
 
     def advance(self, t):
         self.longer.push(t)
@@ -40,6 +47,7 @@ class DeepTurnModel(TurnModel):
             self.runs = [0] + self.runs[:7]
             self.bends = (self.bends * 4 + t) & 0xFFFFFFFF
         super().advance(t)
+        self.edges.step(self.direction)
 
     def beyond(self, turns):
         d = (self.direction + turns) % 4
@@ -68,6 +76,13 @@ class DeepTurnModel(TurnModel):
                 (chord(24) << 5 | bulge(24), runs[0]),
                 (chord(48) << 5 | bulge(48), chord(4)),
                 (chord(40) << 18 | chord(12), h(2)), (level(self.longer), 0)]
+        edges = self.edges
+        edges.look()
+        bends, right_turn = level_of(edges.bends), level_of(edges.right)
+        more += [(bends, right_turn >> 2),
+                 (bends >> 2 << 8 | right_turn >> 3, mix(near, h(4))),
+                 (edges.age << 4 | edges.vertex >> 4, runs[0] << 4 | h(2)),
+                 (edges.place, mix(bends >> 1, d_right << 4 | d_left))]
         self.deep.ask([v * K & M64 for v in values] + [
             mix(mix(mix(a, b), base), 15 + i) * K & M64
             for i, (a, b) in enumerate(more)])
@@ -77,13 +92,17 @@ class DeepTurnModel(TurnModel):
                        64 * min(runs[0], 15) + 4 * min(runs[1], 15)
                        + 2 * (self.bends & 1),
                        16 * level(self.longer)
-                       + 2 * min(steps.bit_length(), 7)]
-        self.refined = [*refined, 2 * verdict, followed]
+                       + 2 * min(steps.bit_length(), 7), 0,
+                       min(edges.age, 31) * 32 + (edges.vertex >> 4) * 2]
+        self.refined = [*refined, 2 * verdict, followed, 0]
         self.followed = followed
 
     def decide_deep(self, coder, gate, node):
+        p = (self.edges.bends, self.edges.right)[node]
+        self.chosen[8] = self.refined[4] = 2 * level_of(p)
         return self.deep.decode(
-            coder, [gate], [v + node for v in self.chosen],
+            coder, [gate, STRETCH[p >> 4], int((p - 32768) / 32)],
+            [v + node for v in self.chosen],
             [r + node for r in self.refined], self.followed + node, node,
             ("bends", "side")[node])
 
