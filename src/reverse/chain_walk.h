@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,20 +15,33 @@ namespace unstep::reverse {
   return {at.x + by.x, at.y + by.y};
 }
 
+/// The moves of all codes on one axis and the finer grids that there are.
+using ScaledMoves = std::array<std::array<Point, 8>, 21>;
+
+template <YAxis axis>
+inline constexpr ScaledMoves kScaledMoves = [] {
+  ScaledMoves moves;
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    for (std::size_t code = 0; code < 8; ++code) {
+      const Point delta = step_delta(static_cast<Step>(code), axis);
+      moves[k][code] = {delta.x * (1 << k), delta.y * (1 << k)};
+    }
+  }
+  return moves;
+}();
+
 /// A chain in path units. Indices count steps; on a closed chain they go on
 /// beyond the last one, round and round (up to five times).
 class ChainWalk {
  public:
+  /// REQUIRES: scale is a power of two, at most Drawing::kMaxScale.
   ChainWalk(const Chain& chain, YAxis axis, std::int32_t scale)
       : steps_(chain.steps),
+        deltas_(moves_of(axis)[static_cast<std::size_t>(
+            std::countr_zero(static_cast<std::uint32_t>(scale)))]),
         origin_{chain.origin.x * scale, chain.origin.y * scale},
         connectivity_(chain.connectivity),
-        closed_(chain.closed) {
-    for (std::size_t code = 0; code < deltas_.size(); ++code) {
-      const Point delta = step_delta(static_cast<Step>(code), axis);
-      deltas_[code] = {delta.x * scale, delta.y * scale};
-    }
-  }
+        closed_(chain.closed) {}
 
   [[nodiscard]] std::span<const Step> steps() const { return steps_; }
   [[nodiscard]] std::size_t size() const { return steps_.size(); }
@@ -65,8 +79,13 @@ class ChainWalk {
   }
 
  private:
+  static const ScaledMoves& moves_of(YAxis axis) {
+    return axis == YAxis::up ? kScaledMoves<YAxis::up>
+                             : kScaledMoves<YAxis::down>;
+  }
+
   std::span<const Step> steps_;
-  std::array<Point, 8> deltas_;
+  std::span<const Point, 8> deltas_;  ///< drawings have many chains
   Point origin_;
   Connectivity connectivity_;
   bool closed_;

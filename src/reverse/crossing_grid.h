@@ -15,11 +15,6 @@ struct Line {
   LineId id;
 };
 
-struct Ends {
-  Point a;
-  Point b;
-};
-
 /// Square cells over all paths, a power of two wide, not many more than there
 /// are lines.
 struct Grid {
@@ -95,7 +90,7 @@ bool enter_small(const Grid& grid, const Box& box, const Visit& visit) {
 /// Calls `visit(row, column)` for every cell that the line may reach, some
 /// beside it too.
 template <class Visit>
-void for_cells(const Grid& grid, const Box& line, const Ends& ends,
+void for_cells(const Grid& grid, const Box& line, const LineEnds& ends,
                const Visit& visit) {
   const std::int64_t first = grid.row(line.low_y);
   const std::int64_t last = grid.row(line.high_y);

@@ -27,6 +27,7 @@ using reverse::LineVertices;
 using reverse::LookMemory;
 using reverse::NearDirections;
 using reverse::PathTolerance;
+using reverse::VerticesAt;
 
 /// Places for a vertex on each side of the chain, at standard and max effort.
 constexpr int kBeam = 1;
@@ -183,8 +184,11 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
     }
   }
   if (stay_apart(options)) {
+    const bool on_chain = !is_cheap(options) && options.effort != Effort::max &&
+                          path_scale(options.tolerance) == 1;
     report.refined = reverse::refine_crossings(
-        chains, in_path_units(options.tolerance), lines);
+        chains, in_path_units(options.tolerance),
+        on_chain ? VerticesAt::chain : VerticesAt::anywhere, lines);
   }
   return lines;
 }
@@ -276,13 +280,23 @@ Result<Drawing> reverse_tolerance(const Drawing& drawing,
   ToleranceReport done;
   std::optional<reverse::LinePrice> price;
   std::vector<LineVertices> lines = fit_all(walks, options, price, done);
-  std::vector<ArcPath> paths =
-      add_arcs(walks, options, std::move(lines), price, done);
-  result.paths.reserve(paths.size());
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    result.paths.push_back(reverse::path_of(paths[i], walks[i].closed()));
-    count(result.paths.back(), done);
-    paths[i] = {};
+  result.paths.reserve(lines.size());
+  const auto add = [&](Path path) {
+    count(path, done);
+    result.paths.push_back(std::move(path));
+  };
+  if (options.arcs) {
+    std::vector<ArcPath> paths =
+        add_arcs(walks, options, std::move(lines), price, done);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      add(reverse::path_of(paths[i], walks[i].closed()));
+      paths[i] = {};
+    }
+  } else {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      add(reverse::path_of(reverse::without_arcs(std::move(lines[i])),
+                           walks[i].closed()));
+    }
   }
   if (report != nullptr) *report = done;
   return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <span>
 
 namespace unstep::reverse {
@@ -29,7 +30,7 @@ class Look {
  public:
   Look(const ChainWalk& chain, PathTolerance tolerance,
        const NearDirections* near, LookMemory* memory)
-      : chain_(chain), cone_(tolerance), near_(near) {
+      : chain_(chain), tolerance_(tolerance), near_(near) {
     for (std::size_t code = 0; code < moves_.size(); ++code) {
       const Point delta = chain.delta(static_cast<Step>(code));
       moves_[code] = delta.y * NearDirections::kRow + delta.x;
@@ -44,38 +45,45 @@ class Look {
   /// Looks no farther than `limit`.
   /// REQUIRES: from.index < limit, and `from` on the chain.
   Ends ends(const LineVertex& from, std::size_t limit) {
-    if (memory_ == nullptr) return look(from, limit);
+    if (memory_ == nullptr) {
+      look(from, limit);
+      return after(from, seen());
+    }
     std::size_t index = from.index;
     while (index >= chain_.size()) index -= chain_.size();
     const std::uint64_t word = memory_->word_at(index);
-    if (const auto known = memory_->find(word, limit - from.index)) {
-      return {
-          {from.index + known->farthest_after, moved(from.at, known->farthest)},
-          {from.index + known->before_after, moved(from.at, known->before)}};
+    std::optional<LookMemory::Found> found =
+        memory_->find(word, limit - from.index);
+    if (!found) {
+      look(from, limit);
+      found = seen();
+      const std::size_t steps = index_ - from.index;
+      if (near_done_ && steps < LookMemory::kSteps && index_ < limit)
+        memory_->keep(word, steps, *found);
     }
-    const Ends result = look(from, limit);
-    const std::size_t seen = index_ - from.index;
-    if (near_done_ && seen < LookMemory::kSteps && index_ < limit) {
-      memory_->keep(
-          word, seen,
-          {farthest_index_ - from_, before_index_ - from_, farthest_, before_});
-    }
-    return result;
+    return after(from, *found);
   }
 
  private:
-  Ends look(const LineVertex& from, std::size_t limit) {
+  /// What the last look found.
+  [[nodiscard]] LookMemory::Found seen() const {
+    return {farthest_index_ - from_, before_index_ - from_, farthest_, before_};
+  }
+  static Ends after(const LineVertex& from, const LookMemory::Found& found) {
+    return {{from.index + found.farthest_after, moved(from.at, found.farthest)},
+            {from.index + found.before_after, moved(from.at, found.before)}};
+  }
+
+  void look(const LineVertex& from, std::size_t limit) {
     from_ = from.index;
     limit_ = limit;
     index_ = from.index;
     offset_ = farthest_ = before_ = {};
     farthest_index_ = before_index_ = from.index;
     stop_ = std::min(limit, from.index + kPatience);
-    cone_.restart();
     near_done_ = near_ != nullptr && is_done_near(*near_);
+    if (near_ == nullptr) cone().restart();
     if (!near_done_) look_far();
-    return {{farthest_index_, moved(from.at, farthest_)},
-            {before_index_, moved(from.at, before_)}};
   }
 
   void found(Point offset) {
@@ -86,16 +94,23 @@ class Look {
     stop_ = std::min(limit_, from_ + 4 * (index_ - from_) + kPatience);
   }
 
+  /// Most chains need none.
+  Cone& cone() {
+    if (!cone_) cone_.emplace(tolerance_);
+    return *cone_;
+  }
+
   void look_far() {
     if (index_ >= stop_) return;
+    Cone& cone = *cone_;
     Step step = chain_.step(index_);
     while (index_ < stop_) {
       offset_ = moved(offset_, chain_.delta(step));
       ++index_;
-      if (cone_.may_end_at(offset_.x, offset_.y)) found(offset_);
+      if (cone.may_end_at(offset_.x, offset_.y)) found(offset_);
       if (index_ == limit_) break;
       const Step next = chain_.step(index_);
-      if (next != step && !cone_.add(offset_.x, offset_.y)) break;
+      if (next != step && !cone.add(offset_.x, offset_.y)) break;
       step = next;
     }
   }
@@ -105,7 +120,8 @@ class Look {
   bool is_done_near(const NearDirections& near);
 
   const ChainWalk& chain_;
-  Cone cone_;
+  PathTolerance tolerance_;
+  std::optional<Cone> cone_;
   const NearDirections* near_;
   LookMemory* memory_ = nullptr;
   bool near_done_ = false;  ///< the last look went no farther
@@ -158,7 +174,7 @@ bool Look::is_done_near(const NearDirections& near) {
     const std::int32_t there = place + moves_[step];
     const NearDirections::Entry q = near.at(there);
     if (q.r2 == NearDirections::kOutside) {
-      cone_.resume(farthest2, {near.vector_of(left), near.vector_of(right)});
+      cone().resume(farthest2, {near.vector_of(left), near.vector_of(right)});
       return end(false);
     }
     if (++next == last) next = first;

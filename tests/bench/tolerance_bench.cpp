@@ -7,7 +7,8 @@
 // passes check_deviation. Processor time, the best of five rounds; `lines only`
 // is the one-pass fit alone, `drawing` has the search for crossings too. The
 // fewest lines are sought for rings of up to 2048 steps, and the ratio counts
-// these alone.
+// these alone. The heap keeps what it has: memory that is given back after each
+// drawing and taken again would cost more than some of the work.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -16,6 +17,10 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "reverse/tolerance_optimum.h"
 #include "unstep/deviation.h"
@@ -123,6 +128,10 @@ bool measure(const fs::path& folder, const ToleranceOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+  (void)mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  (void)mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
   ToleranceOptions options;
   options.arcs = false;
   int first = 1;
