@@ -46,7 +46,7 @@ class EdgeForecast {
   [[nodiscard]] std::uint64_t place() const { return place_; }
 
  private:
-  static constexpr int kOldest = 200;              ///< rows
+  static constexpr int kOldest = 200;             ///< rows
   static constexpr std::size_t kMostAnchors = 8;  ///< bounds the work
 
   /// A pixel that may be the vertex where the edge began.
