@@ -216,6 +216,15 @@ class SecondDecoder(unittest.TestCase):
         rows[8] = rows[7].replace("##.#", "####")
         self.check_agrees_on_pixels(pbm(rows))
 
+    def test_large_page_of_thin_lines(self):
+        """That has the largest tables."""
+        small = thin_map(300, 300, 20)
+        rows = [format(int.from_bytes(small[-38 * (300 - y):][:38], "big"),
+                       "0304b")[:300] for y in range(300)]
+        self.check_agrees_on_pixels(
+            pbm([row + "0" * 1700 for row in rows] + ["0" * 2000] * 701),
+            coder=3)
+
     def test_smallest_sides(self):
         self.check_agrees_on_pixels(pbm(["#"]))
         self.check_agrees_on_pixels(pbm(["." * 60 + "#####" + "." * 90]))
