@@ -11,8 +11,8 @@ CentrelineModel::CentrelineModel(const PixelPlanes& planes,
     : LineFollower(planes, rulers),
       slots_(table_bits),
       mixer_(twice(kVectors), std::span(kInitialWeights).first<kNodes>()),
-      refiners_{entropy::Refiner(2 * kVectors[0]),
-                entropy::Refiner(2 * kVectors[3])} {
+      refiners_{entropy::Refiner(2 * kVectors[kRefined[0]]),
+                entropy::Refiner(2 * kVectors[kRefined[1]])} {
   for (std::size_t set = 0; set < kSets; ++set) {
     for (std::size_t k = kVectors[set]; k < 2 * kVectors[set]; ++k) {
       Weights weights = kInitialWeights[kNodes + k % kNodes];
@@ -48,8 +48,9 @@ int CentrelineModel::probability(Node node) {
   Selectors chosen = selectors_;
   for (std::size_t& vector : chosen) vector += node;
   const int x = mixer_.mix(chosen, slots_.lane());
-  const int p = 2 * entropy::squash(x) + refiners_[0].refine(x, chosen[0]) +
-                refiners_[1].refine(x, chosen[3]);
+  const int p = 2 * entropy::squash(x) +
+                refiners_[0].refine(x, chosen[kRefined[0]]) +
+                refiners_[1].refine(x, chosen[kRefined[1]]);
   return std::clamp(p / 4, 4, 65532);
 }
 

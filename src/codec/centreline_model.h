@@ -14,7 +14,8 @@ namespace unstep::codec {
 /// Predicts which pixels around the head of a line are ink.
 class CentrelineModel : public LineFollower<CentrelineModel> {
  public:
-  static constexpr std::size_t kInputs = 16;
+  using Slots = NodeSlots<kContexts, kNodes>;
+  static constexpr std::size_t kInputs = Slots::kInputs;
   static constexpr std::size_t kSets = 4;
 
   using Weights = std::array<std::int16_t, kInputs>;
@@ -34,8 +35,9 @@ class CentrelineModel : public LineFollower<CentrelineModel> {
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
+  /// The sets whose selectors choose the refiners' contexts, too.
+  static constexpr std::array<std::size_t, 2> kRefined{0, 3};
   friend LineFollower<CentrelineModel>;
-  using Slots = NodeSlots<kContexts, kNodes>;
 
   void look(const Sight& sight) {
     values_ = contexts(sight);

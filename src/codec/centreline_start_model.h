@@ -105,6 +105,7 @@ class LineStartModel {
       }
     }
   }
+
   /// Returns its gate.
   entropy::Counter& look_at_word(std::uint64_t mask, std::int32_t word);
   void set_word_contexts(std::int32_t word);
@@ -131,8 +132,7 @@ class LineStartModel {
   std::int32_t row_last_ = 0;  ///< column of the last one
 };
 
-/// What the mixers start with, 12 fractional bits: words, spans,
-/// pixels.
+/// What the mixers start with, 12 fractional bits: words, spans, pixels.
 using LineStartWeights = std::array<DecisionModel<5, 3, true>::Weights, 3>;
 extern const LineStartWeights kLineStartWeights;
 

@@ -22,8 +22,9 @@ namespace unstep::codec {
 class ChainModel {
  public:
   static constexpr std::size_t kContexts = 15;
-  static constexpr std::size_t kInputs = 32;
   static constexpr std::size_t kDecisions = 5;  ///< of one turn, at most
+  using Slots = NodeSlots<kContexts, kDecisions>;
+  static constexpr std::size_t kInputs = Slots::kInputs;
 
   using Weights = std::array<std::int16_t, kInputs>;
   /// What the mixer starts with, 12 fractional bits: a vector for each node,
@@ -55,7 +56,6 @@ class ChainModel {
   [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
-  using Slots = NodeSlots<kContexts, kDecisions>;
   /// The binary decisions of a turn: whether there is one, to which side, and
   /// whether it is beyond 1, 2, 3 eighths.
   enum Node : std::uint8_t {

@@ -24,7 +24,7 @@ class DeepCentrelineModel : public LineFollower<DeepCentrelineModel> {
  private:
   friend LineFollower<DeepCentrelineModel>;
   static constexpr std::size_t kAll = LineFollower::kContexts + 15;
-  static constexpr std::size_t kSets = 7;  // x
+  static constexpr std::size_t kSets = 7;
   using Model = DeepModel<kAll, 0, kSets, 3, kNodes>;
   static const Model::Choice kSizes;
   static std::array<Model::Weights, kNodes> first_weights();

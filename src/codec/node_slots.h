@@ -20,7 +20,8 @@ template <std::size_t kContexts, std::size_t kLanes>
 class NodeSlots {
  public:
   static constexpr std::size_t kNodes = 8;
-  /// Of a mixer: two for each context, one that never changes.
+  /// Of a mixer: two for each context, and if there is room one that never
+  /// changes.
   static constexpr std::size_t kInputs = (2 * kContexts + 7) / 8 * 8;
 
   /// 2^table_bits slots per context.

@@ -28,11 +28,13 @@ void TurnWalk<kAll>::begin(CrackMap::Address point, CrackMap::Address flipped,
   here_ = {1, 0, 0};
   trail_[0] = {0, 0, 0};
   trail_[1] = here_;
-  dss_.reset();
-  dss_.push(0);
-  curve_.begin();
-  gaps_ = gaps(point, flipped, 0);
-  if constexpr (kAll) curve_.step(0, 1, 0, gaps_);
+  if constexpr (kAll) {
+    dss_.reset();
+    dss_.push(0);
+    curve_.begin();
+    gaps_ = gaps(point, flipped, 0);
+    curve_.step(0, 1, 0, gaps_);
+  }
 }
 
 template <bool kAll>

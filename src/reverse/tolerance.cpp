@@ -193,8 +193,8 @@ std::vector<LineVertices> fit_all(std::span<const ChainWalk> chains,
   return lines;
 }
 
-/// Arcs for lines where that is wanted; at a tolerance of at most 1 none that
-/// crosses anything. `lines` are spent.
+/// Arcs for lines where one replaces some; at a tolerance of at most 1 none
+/// that crosses anything. `lines` are spent.
 std::vector<ArcPath> add_arcs(std::span<const ChainWalk> chains,
                               const ToleranceOptions& options,
                               std::vector<LineVertices> lines,
@@ -207,14 +207,36 @@ std::vector<ArcPath> add_arcs(std::span<const ChainWalk> chains,
   paths.reserve(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     closed.push_back(chains[i].closed());
-    paths.push_back(
-        options.arcs ? reverse::fit_arcs(chains[i], fitter, std::move(lines[i]))
-                     : reverse::without_arcs(std::move(lines[i])));
+    paths.push_back(reverse::fit_arcs(chains[i], fitter, std::move(lines[i])));
     lines[i] = {};
     if (price) reverse::drop_dear_arcs(paths.back(), *price);
   }
-  if (options.arcs && stay_apart(options)) {
+  if (stay_apart(options)) {
     report.refined += reverse::remove_crossing_arcs(paths, closed, scale);
+  }
+  return paths;
+}
+
+/// The lines as paths, with arcs where that is wanted. `lines` are spent.
+std::vector<Path> make_paths(std::span<const ChainWalk> chains,
+                             const ToleranceOptions& options,
+                             std::vector<LineVertices> lines,
+                             const std::optional<reverse::LinePrice>& price,
+                             ToleranceReport& report) {
+  std::vector<Path> paths;
+  paths.reserve(lines.size());
+  if (options.arcs) {
+    std::vector<ArcPath> arcs =
+        add_arcs(chains, options, std::move(lines), price, report);
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      paths.push_back(reverse::path_of(arcs[i], chains[i].closed()));
+      arcs[i] = {};
+    }
+  } else {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      paths.push_back(reverse::path_of(
+          reverse::without_arcs(std::move(lines[i])), chains[i].closed()));
+    }
   }
   return paths;
 }
@@ -250,9 +272,8 @@ Result<Path> reverse_tolerance(const Chain& chain, YAxis axis,
   ToleranceReport report;
   std::optional<reverse::LinePrice> price;
   std::vector<LineVertices> lines = fit_all({&walk, 1}, options, price, report);
-  return reverse::path_of(
-      add_arcs({&walk, 1}, options, std::move(lines), price, report).front(),
-      chain.closed);
+  return std::move(
+      make_paths({&walk, 1}, options, std::move(lines), price, report).front());
 }
 
 Result<Drawing> reverse_tolerance(const Drawing& drawing,
@@ -280,24 +301,8 @@ Result<Drawing> reverse_tolerance(const Drawing& drawing,
   ToleranceReport done;
   std::optional<reverse::LinePrice> price;
   std::vector<LineVertices> lines = fit_all(walks, options, price, done);
-  result.paths.reserve(lines.size());
-  const auto add = [&](Path path) {
-    count(path, done);
-    result.paths.push_back(std::move(path));
-  };
-  if (options.arcs) {
-    std::vector<ArcPath> paths =
-        add_arcs(walks, options, std::move(lines), price, done);
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-      add(reverse::path_of(paths[i], walks[i].closed()));
-      paths[i] = {};
-    }
-  } else {
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      add(reverse::path_of(reverse::without_arcs(std::move(lines[i])),
-                           walks[i].closed()));
-    }
-  }
+  result.paths = make_paths(walks, options, std::move(lines), price, done);
+  for (const Path& path : result.paths) count(path, done);
   if (report != nullptr) *report = done;
   return result;
 }

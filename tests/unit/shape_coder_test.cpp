@@ -145,6 +145,16 @@ TEST(Shapes, AreNotUsedWhereNothingRepeats) {
       find_shapes(page_of_text(640, 400, 3, 30), 0, 400, kShapesPay).empty());
 }
 
+TEST(Shapes, AreJudgedAgainAsMoreOfThemCome) {
+  // More than 2048 on either page: some of the looks at 1024 and later.
+  EXPECT_GT(
+      find_shapes(page_of_text(1300, 800, 3, 30), 0, 800, kShapesPay).size(),
+      2048U);
+  const Bitmap noise = random_ink(1100, 1100, 1);
+  EXPECT_GT(match_shapes(noise, 0, 1100).size(), 2048U);
+  EXPECT_TRUE(find_shapes(noise, 0, 1100, kShapesPay).empty());
+}
+
 TEST(Shapes, OfADamagedPayloadAreRefusedOrOther) {
   const Bitmap ink = page_of_text(160, 60, 5, 40);
   const Bytes payload = expect_round_trip(ink, 0, 60);
