@@ -20,6 +20,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/verbs.h"
+#include "codec/thread_heap.h"
 #include "unstep/unstep.h"
 
 namespace unstep::cli {
@@ -136,7 +137,12 @@ std::vector<JobResult> run_jobs(const std::vector<BatchInput>& inputs,
     }
   };
   std::vector<std::jthread> threads;
-  for (std::size_t i = 1; i < workers; ++i) threads.emplace_back(work, i);
+  for (std::size_t i = 1; i < workers; ++i) {
+    threads.emplace_back([&work, i] {
+      codec::prepare_thread_heap();
+      work(i);
+    });
+  }
   work(0);
   threads.clear();
   return results;
@@ -161,6 +167,7 @@ ExitCode batch(BatchOptions options) {
     return report_usage("batch", "no input is given");
   }
   options.job.record = !options.no_record;
+  options.job.read.checksum = options.job.record || options.job.resume;
   options.files.output_folder = options.job.output_folder;
   options.files.ustp = options.decompress;
   if (const Status folder = check_outputs(options); !folder) {

@@ -17,14 +17,14 @@ void prepare_heap() {
   constexpr int kGrowth = 64 << 20;      // addresses, not memory
   constexpr int kOwnMapping = 32 << 20;  // the most that glibc allows
   constexpr std::uintptr_t kHuge = std::uintptr_t{2} << 20;
-  // Threads take from the same heap: they ask seldom, but for much.
-  if (::mallopt(M_ARENA_MAX, 1) == 0 || ::mallopt(M_TOP_PAD, kGrowth) == 0 ||
+  if (::mallopt(M_TOP_PAD, kGrowth) == 0 ||
       ::mallopt(M_TRIM_THRESHOLD, 2 * kGrowth) == 0 ||
       ::mallopt(M_MMAP_THRESHOLD, kOwnMapping) == 0) {
     return;
   }
   const auto begin = reinterpret_cast<std::uintptr_t>(::sbrk(0));
-  const std::uintptr_t first = (begin + kHuge - 1) & ~(kHuge - 1);
+  // Beyond what the heap has already, or it would not grow.
+  const std::uintptr_t first = (begin + kHuge / 2 + kHuge - 1) & ~(kHuge - 1);
   // Kept and never touched, so that what follows lies in large pages.
   static void* const before = std::malloc(first - begin + 1);
   const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));

@@ -28,6 +28,7 @@ struct InputOptions {
   double curve_tolerance = 0;    ///< VectorReadOptions
   DecodeLimits limits;
   int jobs = 1;
+  bool checksum = false;  ///< tell Source::crc32()
 };
 
 /// How chains and contours become lines, if they do.

@@ -53,12 +53,12 @@ std::optional<VectorFormat> promised(const std::string& path) {
   return format ? vector_format(*format) : std::nullopt;
 }
 
-}  // namespace
-
 std::uint32_t file_crc32(const std::vector<std::uint8_t>& file) {
   return static_cast<std::uint32_t>(
       crc32_z(crc32_z(0, nullptr, 0), file.data(), file.size()));
 }
+
+}  // namespace
 
 Result<Source> Source::open(const std::string& path,
                             const InputOptions& options) {
@@ -66,7 +66,7 @@ Result<Source> Source::open(const std::string& path,
       read_file(path, options.limits.max_memory);
   if (!file) return file.error();
   const std::uint64_t bytes = file->size();
-  const std::uint32_t crc = file_crc32(*file);
+  const std::uint32_t crc = options.checksum ? file_crc32(*file) : 0;
   Result<Source> source = recognise(path, std::move(*file), options);
   if (!source) return source;
   source->bytes_ = bytes;

@@ -39,6 +39,7 @@ class Source {
 
   /// Of the whole input file.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// CRC-32 (zlib) of it. REQUIRES: InputOptions::checksum.
   [[nodiscard]] std::uint32_t crc32() const { return crc32_; }
 
   /// Page `index`, below page_count(). A page of vectors can be read once;
@@ -75,8 +76,5 @@ class Source {
   std::unique_ptr<std::vector<std::uint8_t>> ustp_bytes_;
   std::optional<UstpReader> ustp_;
 };
-
-/// CRC-32 (zlib) of a file's bytes.
-[[nodiscard]] std::uint32_t file_crc32(const std::vector<std::uint8_t>& file);
 
 }  // namespace unstep::cli

@@ -91,11 +91,17 @@ std::uint32_t crc_split(std::uint32_t joined, std::uint32_t first,
 
 std::uint32_t crc_rows(const Bitmap& ink, std::int32_t first_row,
                        std::int32_t rows) {
-  std::vector<std::uint8_t> bytes(row_bytes(ink.width()));
+  constexpr std::int32_t kTogether = 32;  // zlib likes long runs of bytes
+  const std::size_t row = row_bytes(ink.width());
+  std::vector<std::uint8_t> bytes(row * kTogether);
   std::uint32_t crc = 0;
-  for (std::int32_t y = 0; y < rows; ++y) {
-    ink.get_row_bytes(first_row + y, bytes, false);
-    crc = crc_bytes(bytes, crc);
+  for (std::int32_t y = 0; y < rows;) {
+    const std::int32_t end = y + std::min(kTogether, rows - y);
+    std::span<std::uint8_t> rest = bytes;
+    for (; y < end; ++y, rest = rest.subspan(row)) {
+      ink.get_row_bytes(first_row + y, rest.first(row), false);
+    }
+    crc = crc_bytes(std::span(bytes).first(bytes.size() - rest.size()), crc);
   }
   return crc;
 }

@@ -50,12 +50,26 @@ std::uint64_t row_work(const Bitmap& ink, std::int32_t y) {
   return row.size() + kWordsAStep * cracks;
 }
 
+/// Of so many rows the first is looked at, since all threads wait for this.
+constexpr std::int32_t kRowsALook = 4;
+
+/// About what coding each kRowsALook rows costs.
+std::vector<std::uint64_t> row_works(const Bitmap& ink) {
+  std::vector<std::uint64_t> works;
+  for (std::int32_t y = 0; y < ink.height(); y += kRowsALook) {
+    works.push_back(row_work(ink, y));
+  }
+  return works;
+}
+
 /// Bands of about equal work, so that threads end together. Those that nobody
 /// asked for are of equal height, which bounds the memory of each.
 std::vector<BlockParts> cut_bands(const Bitmap& ink, int wanted) {
   const std::int32_t count = band_count(ink, wanted);
+  std::vector<std::uint64_t> works;
+  if (count > 1 && wanted > 1) works = row_works(ink);
   const auto work = [&](std::int32_t y) {
-    return wanted > 1 ? row_work(ink, y) : 1;
+    return works.empty() ? 1 : works[static_cast<std::size_t>(y / kRowsALook)];
   };
   std::uint64_t total = 0;
   for (std::int32_t y = 0; y < ink.height() && count > 1; ++y) total += work(y);

@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "codec/thread_heap.h"
+
 namespace unstep::codec {
 namespace {
 
@@ -66,7 +68,10 @@ Status run_parallel(int jobs, std::size_t count,
     try {
       helpers.reserve(threads);
       while (helpers.size() + 1 < threads) {
-        helpers.emplace_back([&team] { team.run(); });
+        helpers.emplace_back([&team] {
+          prepare_thread_heap();
+          team.run();
+        });
       }
     } catch (const std::system_error&) {
       // Fewer threads than wished give the same result.

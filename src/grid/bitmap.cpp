@@ -2,7 +2,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <new>
@@ -58,9 +57,14 @@ void Bitmap::set_row_bytes(std::int32_t y, std::span<const std::uint8_t> bytes,
                            bool invert) {
   const std::span<std::uint64_t> words = row(y);
   const std::uint64_t flip = invert ? ~std::uint64_t{0} : 0;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::size_t left = bytes.size() - std::min(bytes.size(), 8 * i);
-    words[i] = load_word(bytes.data() + 8 * i, std::min(left, kWord)) ^ flip;
+  const std::size_t whole = bytes.size() / kWord;
+  // A copy of a fixed size is one instruction, not a call.
+  for (std::size_t i = 0; i < whole; ++i) {
+    words[i] = load_word(bytes.data() + kWord * i, kWord) ^ flip;
+  }
+  if (whole < words.size()) {
+    words[whole] =
+        load_word(bytes.data() + kWord * whole, bytes.size() % kWord) ^ flip;
   }
   words.back() &= last_word_mask();
 }
@@ -69,13 +73,14 @@ void Bitmap::get_row_bytes(std::int32_t y, std::span<std::uint8_t> bytes,
                            bool invert) const {
   const std::span<const std::uint64_t> words = row(y);
   const std::uint64_t flip = invert ? ~std::uint64_t{0} : 0;
-  for (std::size_t i = 0; 8 * i < bytes.size(); ++i) {
-    std::uint64_t word = words[i] ^ flip;
-    if (i + 1 == words.size()) word &= last_word_mask();
-    word = most_significant_first(word);
-    std::memcpy(bytes.data() + 8 * i, &word,
-                std::min(bytes.size() - 8 * i, kWord));
+  const std::size_t last = words.size() - 1;
+  for (std::size_t i = 0; i < last; ++i) {
+    const std::uint64_t word = most_significant_first(words[i] ^ flip);
+    std::memcpy(bytes.data() + kWord * i, &word, kWord);
   }
+  const std::uint64_t word =
+      most_significant_first((words[last] ^ flip) & last_word_mask());
+  std::memcpy(bytes.data() + kWord * last, &word, bytes.size() - kWord * last);
 }
 
 std::uint32_t Bitmap::crc32() const {

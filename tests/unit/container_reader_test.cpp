@@ -161,11 +161,14 @@ TEST(Checksum, CoversTheCanonicalBytesOfChains) {
 }
 
 TEST(Checksum, OfBandsJoinsToThatOfThePage) {
-  const Bitmap ink = random_ink(70, 9, 8);
-  const std::uint32_t joined =
-      codec::crc_join(codec::crc_rows(ink, 0, 4), codec::crc_rows(ink, 4, 5),
-                      5 * codec::row_bytes(70));
-  EXPECT_EQ(joined, ink.crc32());
+  // Some rows are taken together: fewer, as many, more, and a rest.
+  for (const std::int32_t rows : {4, 32, 33, 100}) {
+    const Bitmap ink = random_ink(70, rows + 5, 8);
+    const std::uint32_t joined = codec::crc_join(codec::crc_rows(ink, 0, rows),
+                                                 codec::crc_rows(ink, rows, 5),
+                                                 5 * codec::row_bytes(70));
+    EXPECT_EQ(joined, ink.crc32()) << rows;
+  }
 }
 
 TEST(TextRules, AcceptsUtf8AndNothingElse) {
