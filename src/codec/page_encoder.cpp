@@ -42,34 +42,39 @@ std::uint64_t row_work(const Bitmap& ink, std::int32_t y) {
   std::uint64_t cracks = 0;
   std::uint64_t left = 0;  // the pixel before the word, in the highest bit
   for (std::size_t i = 0; i < row.size(); ++i) {
-    const std::uint64_t above = y > 0 ? ink.row(y - 1)[i] : 0;
-    cracks += static_cast<std::uint64_t>(ones(row[i] ^ (row[i] >> 1 | left)) +
-                                         ones(row[i] ^ above));
+    const std::uint64_t beside = row[i] ^ (row[i] >> 1 | left);
+    const std::uint64_t above = row[i] ^ (y > 0 ? ink.row(y - 1)[i] : 0);
+    // Most words have none.
+    if ((beside | above) != 0) {
+      cracks += static_cast<std::uint64_t>(ones(beside) + ones(above));
+    }
     left = row[i] << 63;
   }
   return row.size() + kWordsAStep * cracks;
 }
 
-/// Of so many rows the first is looked at, since all threads wait for this.
-constexpr std::int32_t kRowsALook = 4;
+/// Rows whose work is told as one sum, so that the sums of a narrow page stay
+/// small beside it.
+constexpr std::int32_t kRowsASum = 8;
 
-/// About what coding each kRowsALook rows costs.
-std::vector<std::uint64_t> row_works(const Bitmap& ink) {
-  std::vector<std::uint64_t> works;
-  for (std::int32_t y = 0; y < ink.height(); y += kRowsALook) {
-    works.push_back(row_work(ink, y));
+std::vector<std::uint64_t> sums_of_work(const Bitmap& ink) {
+  std::vector<std::uint64_t> sums;
+  for (std::int32_t y = 0; y < ink.height(); ++y) {
+    if (y % kRowsASum == 0) sums.push_back(0);
+    sums.back() += row_work(ink, y);
   }
-  return works;
+  return sums;
 }
 
 /// Bands of about equal work, so that threads end together. Those that nobody
 /// asked for are of equal height, which bounds the memory of each.
 std::vector<BlockParts> cut_bands(const Bitmap& ink, int wanted) {
   const std::int32_t count = band_count(ink, wanted);
-  std::vector<std::uint64_t> works;
-  if (count > 1 && wanted > 1) works = row_works(ink);
+  std::vector<std::uint64_t> sums;
+  if (count > 1 && wanted > 1) sums = sums_of_work(ink);
+  // Eight times that of a row: only the shares count.
   const auto work = [&](std::int32_t y) {
-    return works.empty() ? 1 : works[static_cast<std::size_t>(y / kRowsALook)];
+    return sums.empty() ? 1 : sums[static_cast<std::size_t>(y / kRowsASum)];
   };
   std::uint64_t total = 0;
   for (std::int32_t y = 0; y < ink.height() && count > 1; ++y) total += work(y);
