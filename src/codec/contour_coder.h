@@ -23,15 +23,15 @@ struct Table;
 }
 
 /// The models of turns; they are the revisions of coder 1. The light one is
-/// for what is left beside shapes, the deep one for the max effort.
+/// for what is left beside shapes, the deep one for the max effort. There is no
+/// revision 1.
 inline constexpr std::uint8_t kContourStandard = 0;
-inline constexpr std::uint8_t kContourMax = 1;
 inline constexpr std::uint8_t kContourFast = 2;
 inline constexpr std::uint8_t kContourLight = 3;
 inline constexpr std::uint8_t kContourDeep = 4;
 
 [[nodiscard]] constexpr bool is_contour_revision(std::uint8_t revision) {
-  return revision <= kContourDeep;
+  return revision <= kContourDeep && revision != 1;
 }
 
 /// log2 of the model's slots per context, a rule of the size only, so that it
@@ -41,9 +41,6 @@ inline constexpr std::uint8_t kContourDeep = 4;
                                                std::int32_t width,
                                                std::int32_t rows) {
   const std::int64_t pixels = std::int64_t{width} * rows;
-  if (revision == kContourMax) {
-    return pixels < 40'000 ? 14 : pixels < 2'000'000 ? 16 : 19;
-  }
   if (revision == kContourDeep) {
     return pixels < 40'000 ? 14 : pixels < 2'000'000 ? 16 : 18;
   }

@@ -70,9 +70,6 @@ Status decode_part(entropy::ArithmeticDecoder& coder, std::int32_t width,
                    const BlockProgress& progress, Sink sink) {
   const int bits = contour_table_bits(revision, width, rows);
   switch (revision) {
-    case kContourMax:
-      return decode_with<TurnModel>(coder, width, rows, bits, progress,
-                                    std::move(sink));
     case kContourFast:
       return decode_with<FastTurnModel>(coder, width, rows, bits, progress,
                                         std::move(sink));

@@ -81,9 +81,6 @@ Status code_contours(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
                      std::uint8_t revision, const BlockProgress& progress) {
   const int bits = contour_table_bits(revision, ink.width(), rows);
   switch (revision) {
-    case kContourMax:
-      return encode_with<TurnModel>(coder, ink, first_row, rows, bits,
-                                    progress);
     case kContourFast:
       return encode_with<FastTurnModel>(coder, ink, first_row, rows, bits,
                                         progress);

@@ -17,8 +17,6 @@
 namespace unstep::codec {
 namespace {
 
-/// Pixels from which on the deep model of contours is always smaller.
-constexpr std::int64_t kSmallestDeep = 2'000'000;
 /// Pixels from which on the fast effort codes pixels, and any effort dither.
 constexpr std::int64_t kSmallestFastPixels = 1'000'000;
 constexpr std::int64_t kSmallestDither = 40'000;
@@ -191,9 +189,6 @@ Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
     keep(encode_by_shapes(ink, first_row, rows, kShapesDeep, shapes, progress));
   } else {
     keep(encode_by_contours(ink, first_row, rows, kContourDeep, progress));
-  }
-  if (is_small(ink, rows, kSmallestDeep)) {
-    keep(encode_by_contours(ink, first_row, rows, kContourMax, progress));
   }
   keep(encode_by_pixels(ink, first_row, rows, kPixelsDeep, progress));
   if (is_thin(ink, first_row, rows)) {

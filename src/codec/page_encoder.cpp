@@ -63,28 +63,29 @@ std::uint64_t row_work(const Bitmap& ink, std::int32_t y) {
   return row.size() + kWordsACrack * cracks + kWordsABend * bends;
 }
 
-/// Rows whose work is told as one sum, so that the sums of a narrow page stay
+/// Rows whose work is told as one mean, so that the means of a narrow page stay
 /// small beside it.
-constexpr std::int32_t kRowsASum = 8;
+constexpr std::int32_t kRowsAMean = 8;
 
-std::vector<std::uint64_t> sums_of_work(const Bitmap& ink) {
-  std::vector<std::uint64_t> sums;
-  for (std::int32_t y = 0; y < ink.height(); ++y) {
-    if (y % kRowsASum == 0) sums.push_back(0);
-    sums.back() += row_work(ink, y);
+std::vector<std::uint64_t> mean_works(const Bitmap& ink) {
+  std::vector<std::uint64_t> means;
+  for (std::int32_t y = 0; y < ink.height(); y += kRowsAMean) {
+    const std::int32_t rows = std::min(kRowsAMean, ink.height() - y);
+    std::uint64_t sum = 0;
+    for (std::int32_t i = 0; i < rows; ++i) sum += row_work(ink, y + i);
+    means.push_back(sum / static_cast<std::uint64_t>(rows));
   }
-  return sums;
+  return means;
 }
 
 /// Bands of about equal work, so that threads end together. Those that nobody
 /// asked for are of equal height, which bounds the memory of each.
 std::vector<BlockParts> cut_bands(const Bitmap& ink, int wanted) {
   const std::int32_t count = band_count(ink, wanted);
-  std::vector<std::uint64_t> sums;
-  if (count > 1 && wanted > 1) sums = sums_of_work(ink);
-  // Eight times that of a row: only the shares count.
+  std::vector<std::uint64_t> works;
+  if (count > 1 && wanted > 1) works = mean_works(ink);
   const auto work = [&](std::int32_t y) {
-    return sums.empty() ? 1 : sums[static_cast<std::size_t>(y / kRowsASum)];
+    return works.empty() ? 1 : works[static_cast<std::size_t>(y / kRowsAMean)];
   };
   std::uint64_t total = 0;
   for (std::int32_t y = 0; y < ink.height() && count > 1; ++y) total += work(y);

@@ -40,9 +40,24 @@ inline constexpr std::array<std::uint8_t, 16> kAges{
 
 Record parse(std::string_view eight);
 
+/// A vector of the mixer of turns that does not start as all of its node do.
+/// Two characters of the table hold its number, counted through the sets, and
+/// one each how much more a weight is, in steps of kWeightStep around 32.
+struct Vector {
+  static constexpr std::size_t kCharacters = 34;
+  static constexpr int kWeightStep =
+      32;  ///< of weights with 12 fractional bits
+
+  std::size_t number = 0;
+  std::array<std::int16_t, 32> more{};
+};
+
+Vector parse_vector(std::string_view characters);
+
 struct Table {
   std::array<std::uint16_t, kContexts> counts;  ///< of records, by context
   std::string_view records;                     ///< all of them, parse()
+  std::string_view vectors;                     ///< parse_vector()
   std::array<std::array<std::int16_t, 32>, 2> turn_weights;
   std::array<std::array<std::int16_t, 8>, 1> start_weights;
   std::array<std::array<std::uint16_t, 2>, kFlags> flags;
@@ -54,6 +69,14 @@ struct Table {
     for (std::size_t i = 0; i < context; ++i) first += counts[i];
     for (std::size_t i = 0; i < counts[context]; ++i) {
       apply(parse(records.substr((first + i) * 8, 8)));
+    }
+  }
+
+  /// Calls `apply(vector)` for the vectors.
+  template <class Apply>
+  void for_each_vector(Apply apply) const {
+    for (std::size_t at = 0; at < vectors.size(); at += Vector::kCharacters) {
+      apply(parse_vector(vectors.substr(at, Vector::kCharacters)));
     }
   }
 };

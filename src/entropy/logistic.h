@@ -54,7 +54,7 @@ inline constexpr auto kStretch = make_stretch();
 
 /// The 16-bit probability of a stretch; anything beyond +-kStretchMax is
 /// clamped. The result is 1..65535.
-[[nodiscard]] inline int squash(int x) {
+[[nodiscard]] constexpr int squash(int x) {
   if (x < 0) {
     if (x < -kStretchMax) x = -kStretchMax;
     return 65536 - detail::kSquash[static_cast<std::size_t>(-x)];

@@ -8,7 +8,8 @@
 // the end is added up over the images. If the present table has no records,
 // the contexts that most images use and that say most become records; if it
 // has, they are kept and only the mixer weights are learned anew on top of
-// them. train_warm_start.sh runs both passes from an empty table.
+// them, for small drawings those of each vector. train_warm_start.sh runs all
+// passes from an empty table.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -34,10 +35,11 @@ using codec::StartModel;
 using codec::TurnModel;
 namespace warm = codec::warm;
 
-constexpr std::size_t kMaxSmall = 14000;  // records, of eight characters
+constexpr std::size_t kMaxSmall = 24000;  // records, of eight characters
 constexpr std::size_t kMaxLarge = 6900;
 constexpr double kMaxAge = 30;
 constexpr double kEnough = 6;  // observations per image that count in full
+constexpr double kSharedVotes = 20;  // of what a vector shares with all others
 
 /// One context's counters, added up over the images.
 struct Sum {
@@ -67,6 +69,11 @@ struct Trainer {
   std::array<std::array<double, 2>, warm::kFlags> open{};
   std::array<std::array<double, 32>, 2> turn_weights{};
   std::array<double, 2> turn_votes{};
+  struct Vector {
+    std::array<double, 32> weights{};
+    double votes = 0;
+  };
+  std::vector<Vector> vectors;  ///< of the mixer of turns, through the sets
   std::array<double, 8> start_weights{};
   double start_votes = 0;
   bool forgotten = false;
@@ -103,16 +110,7 @@ struct Trainer {
       open[i][0] += counter.p / 65536.0 * counter.n;
       open[i][1] += counter.n;
     }
-    for (std::size_t s = 0; s < TurnModel::kSets; ++s) {
-      const auto ages = turns.mixer().ages(s);
-      for (std::size_t k = 0; k < ages.size(); ++k) {
-        const double votes = std::sqrt(ages[k]);
-        for (std::size_t i = 0; i < 32; ++i) {
-          turn_weights[k % 2][i] += votes * turns.mixer().weights(s, k)[i];
-        }
-        turn_votes[k % 2] += votes;
-      }
-    }
+    learn_turn_weights(turns);
     const auto ages = starts.mixer().ages(0);
     for (std::size_t k = 0; k < ages.size(); ++k) {
       const double votes = std::sqrt(ages[k]);
@@ -123,8 +121,27 @@ struct Trainer {
     }
   }
 
+  void learn_turn_weights(const TurnModel& turns) {
+    std::size_t number = 0;
+    for (std::size_t s = 0; s < TurnModel::kSets; ++s) {
+      const auto ages = turns.mixer().ages(s);
+      for (std::size_t k = 0; k < ages.size(); ++k, ++number) {
+        const double votes = std::sqrt(ages[k]);
+        if (number == vectors.size()) vectors.emplace_back();
+        for (std::size_t i = 0; i < 32; ++i) {
+          const double weight = votes * turns.mixer().weights(s, k)[i];
+          turn_weights[k % 2][i] += weight;
+          vectors[number].weights[i] += weight;
+        }
+        turn_votes[k % 2] += votes;
+        vectors[number].votes += votes;
+      }
+    }
+  }
+
   void forget();
   [[nodiscard]] double least_score() const;
+  [[nodiscard]] std::string vector_text(std::size_t number) const;
   void write(std::FILE* out) const;
 };
 
@@ -195,6 +212,33 @@ double Trainer::least_score() const {
   return scores.size() > most ? scores[most] : 0.0;
 }
 
+/// A vector as the table holds it; nothing if it is as all others.
+std::string Trainer::vector_text(std::size_t number) const {
+  const Vector& vector = vectors[number];
+  std::string text;
+  for (const std::size_t digit : {number >> 6, number & 63}) {
+    text += warm::to_char(static_cast<unsigned>(digit));
+  }
+  bool differs = false;
+  for (std::size_t i = 0; i < vector.weights.size(); ++i) {
+    const double shared = turn_weights[number % 2][i] / turn_votes[number % 2];
+    const double own = (vector.weights[i] + kSharedVotes * shared) /
+                       (vector.votes + kSharedVotes);
+    const long steps = std::clamp(
+        std::lround((own - shared) / 4 / warm::Vector::kWeightStep), -32L, 31L);
+    differs = differs || steps != 0;
+    text += warm::to_char(static_cast<unsigned>(steps + 32));
+  }
+  return differs ? text : "";
+}
+
+void write_text(std::FILE* out, const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); i += 72) {
+    std::fprintf(out, "    \"%s\"\n", text.substr(i, 72).c_str());
+  }
+  std::fprintf(out, "    \"\",\n");
+}
+
 void Trainer::write(std::FILE* out) const {
   const bool keep = !start().records.empty() && !forgotten;
   const double least = keep ? 0 : least_score();
@@ -216,10 +260,13 @@ void Trainer::write(std::FILE* out) const {
     std::fprintf(out, " %u,", count);
   }
   std::fprintf(out, "\n    }},\n");
-  for (std::size_t i = 0; i < records.size(); i += 72) {
-    std::fprintf(out, "    \"%s\"\n", records.substr(i, 72).c_str());
+  write_text(out, records);
+  std::string own;
+  for (std::size_t i = 0; small && keep && i < vectors.size(); ++i) {
+    own += vector_text(i);
   }
-  std::fprintf(out, "    \"\",\n    {{\n");
+  write_text(out, own);
+  std::fprintf(out, "    {{\n");
   for (const std::size_t node : {0U, 1U}) {
     write_weights(out, turn_weights[node], turn_votes[node]);
   }

@@ -5,7 +5,8 @@
 #
 # Takes every second image of each sub-folder of FOLDER, so that the other half
 # stays unseen for measuring: those in files below 10 kB for the small
-# table, all for the large one. Two passes each: records, then mixer weights.
+# table, all for the large one. A pass for records, then one for the weights of
+# mixers; those of each vector of the small table take three.
 set -euo pipefail
 folder=${1:?usage: train_warm_start.sh FOLDER [BUILD]}
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -25,8 +26,10 @@ train() { # train small|large IMAGE...
     "$root/src/codec/warm_start_$1.cpp" "${@:2}"
 }
 for name in small large; do train "$name"; done
-train small "${small[@]}"
-train small "${small[@]}"
+for pass in records weights vectors vectors; do
+  echo "small: $pass"
+  train small "${small[@]}"
+done
 train large "${images[@]}"
 train large "${images[@]}"
 echo "trained on ${#small[@]} and ${#images[@]} images"

@@ -69,12 +69,9 @@ class Scan:
                 16 if size < 2000000 else 18, table)
         else:
             light = revision == 3
-            small, middle, large, huge = (
-                (14, 16, 19, 19) if revision == 1 else
-                (13, 15, 17 - light, 15))
-            table_bits = (small if size < 40000 else
-                          middle if size < 2000000 else
-                          large if size <= 24000000 else huge)
+            table_bits = (13 if size < 40000 else
+                          15 if size < 2000000 or size > 24000000 else
+                          17 - light)
             self.turns = TurnModel(self.cracks, table_bits, table, light=light)
         self.starts = (DeepStartModel if revision == 4 else StartModel)(
             self.cracks, table, words)

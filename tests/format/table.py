@@ -6,8 +6,8 @@ import zlib
 from entropy import Damaged, squash
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "src/codec"
-CRCS = {"small": (0x619FB32C, 0x53BF3DA3),
-        "large": (0xD3B15ED2, 0x6FED0277)}
+CRCS = {"small": (0x1640E201, 0x0D07F5C2),
+        "large": (0xD3B15ED2, 0x6B362689)}
 
 
 class Table:
@@ -30,13 +30,23 @@ class Table:
             self.groups.append([self.record(records[i:i + 8]) for i in
                                 range(at, at + 8 * count, 8)])
             at += 8 * count
+        self.vectors = [self.vector(records[i:i + 34]) for i in
+                        range(at, len(records), 34)]
         self.turn, self.start = (turn[:32], turn[32:]), (start,)
         self.flags = [list(pair) for pair in zip(flags[::2], flags[1::2])]
 
+    @staticmethod
+    def six_bits(characters):
+        return [44 if c == "p" else ord(c) - 48 for c in characters]
+
+    def vector(self, characters):
+        high, low, *steps = self.six_bits(characters)
+        return high << 6 | low, [32 * (step - 32) for step in steps]
+
     def record(self, characters):
         bits = 0
-        for c in characters:
-            bits = bits << 6 | (44 if c == "p" else ord(c) - 48)
+        for six in self.six_bits(characters):
+            bits = bits << 6 | six
         p = [squash(72 * ((bits >> shift & 63) - 32)) for shift in (14, 8)]
         n = [self.AGES[bits >> shift & 15] for shift in (4, 0)]
         return bits >> 32, bits >> 20 & 0xFFF, p, n

@@ -62,8 +62,17 @@ class TurnModel(Walker):
                    for w in table.turn]
         self.mixer = Mixer((64, 1024, 1024) + (() if light else (1024,)),
                            weights, 1000)
+        if not light:
+            self.start_vectors(table)
         self.refiners = (Refiner(),) if light else (Refiner(), Refiner())
         self.match = Match()
+
+    def start_vectors(self, table):
+        numbered = [vector for set_ in self.mixer.sets for vector in set_]
+        for number, more in table.vectors:
+            numbered[number][:] = [
+                clamp(4 * (a + b), -32768, 32767)
+                for a, b in zip(table.turn[number % 2], more)], 0
 
     def begin(self, x, y, ink):
         self.x, self.y, self.direction, self.ink = x, y, 0, ink

@@ -278,9 +278,6 @@ TEST(Golden, EveryBuildMakesTheSamePayloadsOfMax) {
     EXPECT_TRUE(std::equal(payload->rbegin(), payload->rend(), file.rbegin()))
         << name;
   };
-  expect_payload("contours_blots_max", [](const Bitmap& ink) {
-    return codec::encode_contours(ink, 0, ink.height(), codec::kContourMax, {});
-  });
   expect_payload("contours_rings_deep", [](const Bitmap& ink) {
     return codec::encode_contours(ink, 0, ink.height(), codec::kContourDeep,
                                   {});

@@ -105,7 +105,7 @@ TEST(Centrelines, TakeSomeRowsOnly) {
 }
 
 TEST(Centrelines, ArePickedForThinLinesAndSmallerThere) {
-  const Bitmap ink = thin_drawing(400, 400, 30);
+  const Bitmap ink = thin_drawing(600, 600, 60);
   ASSERT_TRUE(is_thin(ink, 0, ink.height()));
   const Bytes payload = expect_round_trip(ink, 0, ink.height());
   const Result<Bytes> contours =
