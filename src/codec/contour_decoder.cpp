@@ -59,8 +59,9 @@ Status decode_with(entropy::ArithmeticDecoder& coder, std::int32_t width,
                    std::int32_t rows, int table_bits,
                    const BlockProgress& progress, Sink sink) {
   DecoderSide<Sink> side(coder, std::move(sink));
-  ContourScan<DecoderSide<Sink>, Turns> scan(side, width, rows, table_bits,
-                                             warm::table_for(width, rows));
+  ContourScan<DecoderSide<Sink>, Turns> scan(
+      side, width, rows, table_bits,
+      warm::table_for(width, rows, Turns::kClean));
   return scan.run(progress);
 }
 

@@ -69,8 +69,9 @@ Status encode_with(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
                    std::int32_t first_row, std::int32_t rows, int table_bits,
                    const BlockProgress& progress) {
   EncoderSide side(coder, ink, first_row, rows);
-  ContourScan<EncoderSide, Turns> scan(side, ink.width(), rows, table_bits,
-                                       warm::table_for(ink.width(), rows));
+  ContourScan<EncoderSide, Turns> scan(
+      side, ink.width(), rows, table_bits,
+      warm::table_for(ink.width(), rows, Turns::kClean));
   return scan.run(progress);
 }
 

@@ -20,6 +20,7 @@ namespace unstep::codec {
 class DeepTurnModel : public TurnWalk<true> {
  public:
   using Starts = DeepStartModel;
+  static constexpr bool kClean = true;
   static constexpr std::size_t kContexts = 30;
   static constexpr std::size_t kSets = 10;
   static constexpr std::size_t kRefiners = 5;

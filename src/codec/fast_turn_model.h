@@ -40,6 +40,7 @@ inline constexpr auto kFastWeights = make_fast_weights();
 class FastTurnModel {
  public:
   using Starts = StartModel;
+  static constexpr bool kClean = false;
 
   /// log2 of the slots of each context: 2 x 256 kB stay in a cache.
   static constexpr int kBits = 15;

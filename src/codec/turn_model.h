@@ -29,6 +29,7 @@ class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
   using Walk = TurnWalk<kViews == TurnViews::all>;
   using Starts = StartModel;  ///< what goes with it
   static constexpr bool kAll = kViews == TurnViews::all;
+  static constexpr bool kClean = kAll;  ///< for pages without noise
   static constexpr std::size_t kContexts = kAll ? 15 : 6;
   using Slots = entropy::ContextSlots<kContexts>;
   /// Those of the slots; the lane that they leave free is the gate's.

@@ -7,8 +7,8 @@
 
 /// The warm start: what the models of coder 1 know before the first bit,
 /// learned from other drawings. tests/bench/train_warm_start.cpp makes
-/// warm_start_small.cpp and warm_start_large.cpp; docs/format.md says how they
-/// are applied. Part of the format: a changed table is a new table id.
+/// warm_start_small.cpp, warm_start_large.cpp and warm_start_clean.cpp;
+/// docs/format.md says how they are applied. Part of the format: a changed table is a new table id.
 namespace unstep::codec::warm {
 
 inline constexpr std::uint8_t kTableId = 1;
@@ -86,11 +86,14 @@ extern const Table kSmall;
 /// Pages: what all kinds have in common. What is common on small drawings
 /// costs 1 % here.
 extern const Table kLarge;
+/// Pages without noise, as maps: whole pages by the models for those.
+extern const Table kClean;
 
-/// A rule of the size only, so that it need not be stored.
+/// A rule of the size and the models only, so that it need not be stored.
 [[nodiscard]] inline const Table& table_for(std::int32_t width,
-                                            std::int32_t rows) {
-  return std::int64_t{width} * rows < 2'000'000 ? kSmall : kLarge;
+                                            std::int32_t rows, bool clean) {
+  if (std::int64_t{width} * rows < 2'000'000) return kSmall;
+  return clean ? kClean : kLarge;
 }
 
 }  // namespace unstep::codec::warm

@@ -1,6 +1,6 @@
-// Makes src/codec/warm_start_small.cpp or warm_start_large.cpp from drawings:
+// Makes src/codec/warm_start_small.cpp, _large.cpp or _clean.cpp from drawings:
 //
-//     train_warm_start small|large OUT.cpp IMAGE...
+//     train_warm_start small|large|clean OUT.cpp IMAGE...
 //
 // Without images it writes the empty table.
 //
@@ -8,7 +8,7 @@
 // the end is added up over the images. If the present table has no records,
 // the contexts that most images use and that say most become records; if it
 // has, they are kept and only the mixer weights are learned anew on top of
-// them, for small drawings those of each vector. train_warm_start.sh runs all
+// them, those of each vector but for `large`. train_warm_start.sh runs all
 // passes from an empty table.
 #include <algorithm>
 #include <array>
@@ -35,8 +35,19 @@ using codec::StartModel;
 using codec::TurnModel;
 namespace warm = codec::warm;
 
-constexpr std::size_t kMaxSmall = 24000;  // records, of eight characters
-constexpr std::size_t kMaxLarge = 6900;
+/// A table: how many records, of eight characters, and whether vectors.
+struct Part {
+  std::string_view name;
+  const char* variable;
+  const warm::Table& table;
+  std::size_t most;
+  bool vectors;
+};
+const std::array<Part, 3> kParts{{
+    {"small", "kSmall", warm::kSmall, 24000, true},
+    {"large", "kLarge", warm::kLarge, 6900, false},
+    {"clean", "kClean", warm::kClean, 24000, true},
+}};
 constexpr double kMaxAge = 30;
 constexpr double kEnough = 6;  // observations per image that count in full
 constexpr double kSharedVotes = 20;  // of what a vector shares with all others
@@ -64,7 +75,9 @@ void add(Sum& sum, std::size_t node, std::uint16_t p, std::uint8_t n) {
 }
 
 struct Trainer {
-  bool small = true;
+  explicit Trainer(const Part& wanted) : part(wanted) {}
+
+  const Part& part;
   std::array<Sums, warm::kContexts> sums;
   std::array<std::array<double, 2>, warm::kFlags> open{};
   std::array<std::array<double, 32>, 2> turn_weights{};
@@ -78,9 +91,7 @@ struct Trainer {
   double start_votes = 0;
   bool forgotten = false;
 
-  [[nodiscard]] const warm::Table& start() const {
-    return small ? warm::kSmall : warm::kLarge;
-  }
+  [[nodiscard]] const warm::Table& start() const { return part.table; }
 
   void learn(const TurnModel& turns, const StartModel& starts) {
     for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
@@ -208,8 +219,7 @@ double Trainer::least_score() const {
     for (const auto& [key, sum] : context) scores.push_back(sum.score);
   }
   std::sort(scores.rbegin(), scores.rend());
-  const std::size_t most = small ? kMaxSmall : kMaxLarge;
-  return scores.size() > most ? scores[most] : 0.0;
+  return scores.size() > part.most ? scores[part.most] : 0.0;
 }
 
 /// A vector as the table holds it; nothing if it is as all others.
@@ -249,7 +259,7 @@ void Trainer::write(std::FILE* out) const {
                "#include \"codec/warm_start.h\"\n\n"
                "namespace unstep::codec::warm {\n\n"
                "const Table %s = {\n    {{\n   ",
-               small ? "kSmall" : "kLarge");
+               part.variable);
   for (std::size_t i = 0; i < warm::kContexts; ++i) {
     unsigned count = keep ? start().counts[i] : 0U;
     for (const auto& [key, sum] : sums[i]) {
@@ -262,7 +272,7 @@ void Trainer::write(std::FILE* out) const {
   std::fprintf(out, "\n    }},\n");
   write_text(out, records);
   std::string own;
-  for (std::size_t i = 0; small && keep && i < vectors.size(); ++i) {
+  for (std::size_t i = 0; part.vectors && keep && i < vectors.size(); ++i) {
     own += vector_text(i);
   }
   write_text(out, own);
@@ -285,6 +295,15 @@ void Trainer::write(std::FILE* out) const {
   std::fprintf(out, "    }}};\n\n}  // namespace unstep::codec::warm\n");
 }
 
+/// A page that the standard effort codes by contours alone, all views.
+bool is_clean(const Bitmap& ink) {
+  if (ink.pixels() < 2'000'000) return false;
+  const Result<codec::EncodedBlock> block =
+      codec::encode_ink(ink, 0, ink.height(), Effort::standard, {});
+  return block && block->name.coder == codec::kCoderContours &&
+         block->name.revision == codec::kContourStandard;
+}
+
 bool learn_file(const char* path, Trainer& trainer) {
   Result<std::vector<std::uint8_t>> bytes =
       read_file(path, std::uint64_t{1} << 32);
@@ -293,6 +312,7 @@ bool learn_file(const char* path, Trainer& trainer) {
   if (!reader) return false;
   Result<RasterPage> page = reader->read(0);
   if (!page) return false;
+  if (&trainer.start() == &warm::kClean && !is_clean(page->ink)) return true;
   return static_cast<bool>(codec::encode_and_show(
       page->ink, trainer.start(),
       [&](const TurnModel& turns, const StartModel& starts) {
@@ -303,14 +323,16 @@ bool learn_file(const char* path, Trainer& trainer) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string_view name = argc < 3 ? "" : argv[1];
-  if (name != "small" && name != "large") {
+  const auto part = std::find_if(
+      kParts.begin(), kParts.end(),
+      [&](const Part& p) { return argc >= 3 && p.name == argv[1]; });
+  if (part == kParts.end()) {
     std::fprintf(stderr,
-                 "usage: train_warm_start small|large OUT.cpp [IMAGE...]\n");
+                 "usage: train_warm_start small|large|clean OUT.cpp "
+                 "[IMAGE...]\n");
     return 2;
   }
-  Trainer trainer;
-  trainer.small = name == "small";
+  Trainer trainer(*part);
   if (argc == 3) trainer.forget();
   for (int i = 3; i < argc; ++i) {
     if (!learn_file(argv[i], trainer)) {

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Makes src/codec/warm_start_small.cpp and warm_start_large.cpp anew:
+# Makes src/codec/warm_start_small.cpp, _large.cpp and _clean.cpp anew:
 #
 #     tests/bench/train_warm_start.sh FOLDER [BUILD]
 #
 # Takes every second image of each sub-folder of FOLDER, so that the other half
-# stays unseen for measuring: those in files below 10 kB for the small
-# table, all for the large one. A pass for records, then one for the weights of
-# mixers; those of each vector of the small table take three.
+# stays unseen for measuring: those in files below 10 kB for the small table, all
+# for the large one, of these the program picks maps and the like for the clean
+# one. A pass for records, then one for the weights of mixers, three if each
+# vector has its own.
 set -euo pipefail
 folder=${1:?usage: train_warm_start.sh FOLDER [BUILD]}
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -20,16 +21,15 @@ mapfile -t small < <(
   for image in "${images[@]}"; do
     if [ "$(stat -c %s "$image")" -lt 10000 ]; then echo "$image"; fi
   done)
-train() { # train small|large IMAGE...
+train() { # train small|large|clean IMAGE...
   cmake --build "$build" --target train_warm_start
   "$build/tests/bench/train_warm_start" "$1" \
     "$root/src/codec/warm_start_$1.cpp" "${@:2}"
 }
-for name in small large; do train "$name"; done
-for pass in records weights vectors vectors; do
-  echo "small: $pass"
+for name in small large clean; do train "$name"; done
+for _ in 1 2; do train large "${images[@]}"; done
+for _ in 1 2 3 4; do
   train small "${small[@]}"
+  train clean "${images[@]}"
 done
-train large "${images[@]}"
-train large "${images[@]}"
 echo "trained on ${#small[@]} and ${#images[@]} images"

@@ -59,7 +59,8 @@ class Scan:
         self.width, self.rows, self.coder = width, rows, coder
         self.cracks = Cracks()
         size = width * rows
-        table = Table("small" if size < 2000000 else "large")
+        table = Table("small" if size < 2000000 else
+                      "clean" if revision in (0, 4) else "large")
         words = (width + 63) // 64
         if revision == 2:
             self.turns = FastTurnModel(self.cracks)

@@ -7,7 +7,8 @@ from entropy import Damaged, squash
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "src/codec"
 CRCS = {"small": (0x1640E201, 0x0D07F5C2),
-        "large": (0xD3B15ED2, 0x6B362689)}
+        "large": (0xD3B15ED2, 0x6B362689),
+        "clean": (0x8A966FF5, 0x7A396F8D)}
 
 
 class Table:
