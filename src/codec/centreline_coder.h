@@ -20,7 +20,7 @@ class DecisionModel;
 /// The models, of the standard and the max effort.
 inline constexpr std::uint8_t kCentrelinesMixed = 0;
 inline constexpr std::uint8_t kCentrelinesDeep = 1;
-inline constexpr std::uint8_t kCentrelineTable = 0;
+inline constexpr std::uint8_t kCentrelineTable = 1;
 
 /// Pixels of branches that may wait at once: a bound of the format, far above
 /// what drawings of lines need.
@@ -64,11 +64,12 @@ Status verify_centrelines(std::span<const std::uint8_t> payload,
                           const DecodeLimits& limits,
                           const BlockProgress& progress);
 
-/// For training: encodes and shows the models as they are at the end.
+/// For training: encodes and shows the models as they are at the end. `cold`:
+/// without the warm start, and with 2^16 slots per context.
 using CentrelineVisitor = std::function<void(
     const CentrelineModel& lines,
     const LineStartModel<DecisionModel<5, 3, true>>& starts)>;
-Status show_centreline_models(const Bitmap& ink,
+Status show_centreline_models(const Bitmap& ink, bool cold,
                               const CentrelineVisitor& visit);
 
 }  // namespace unstep::codec

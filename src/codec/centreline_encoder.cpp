@@ -74,13 +74,15 @@ Result<std::vector<std::uint8_t>> encode_centrelines(
   return status.error();
 }
 
-Status show_centreline_models(const Bitmap& ink,
+Status show_centreline_models(const Bitmap& ink, bool cold,
                               const CentrelineVisitor& visit) {
   entropy::ArithmeticEncoder coder;
   EncoderSide side(coder, ink, 0);
-  MixedScan scan(
-      side, ink.width(), ink.height(),
-      centreline_table_bits(kCentrelinesMixed, ink.width(), ink.height()));
+  const int bits = cold ? 16
+                        : centreline_table_bits(kCentrelinesMixed, ink.width(),
+                                                ink.height());
+  MixedScan scan(side, ink.width(), ink.height(), bits,
+                 cold ? centreline_warm::Table{} : centreline_warm::kTable);
   Status status = scan.run({});
   if (status) visit(scan.lines(), scan.starts());
   return status;

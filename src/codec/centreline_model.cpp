@@ -7,7 +7,8 @@
 
 namespace unstep::codec {
 CentrelineModel::CentrelineModel(const PixelPlanes& planes,
-                                 const VertexRulers& rulers, int table_bits)
+                                 const VertexRulers& rulers, int table_bits,
+                                 const centreline_warm::Table& start)
     : LineFollower(planes, rulers),
       slots_(table_bits),
       mixer_(twice(kVectors), std::span(kInitialWeights).first<kNodes>()),
@@ -22,6 +23,12 @@ CentrelineModel::CentrelineModel(const PixelPlanes& planes,
       mixer_.set_weights(set, k, weights, 0);
     }
   }
+  start.for_each([&](std::size_t i, const centreline_warm::Record& record) {
+    for (std::size_t k = 0; k < record.size; ++k) {
+      const auto& [node, n, p] = record.counters[k];
+      slots_.know(i, record.index, record.check, node, p, n);
+    }
+  });
 }
 
 std::uint64_t CentrelineModel::memory(int table_bits) {

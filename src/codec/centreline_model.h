@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "codec/centreline_warm_start.h"
 #include "codec/line_follower.h"
 #include "codec/node_slots.h"
 #include "entropy/mixer.h"
@@ -26,13 +27,14 @@ class CentrelineModel : public LineFollower<CentrelineModel> {
   /// The planes and rulers must outlive the model; 2^table_bits slots per
   /// context.
   CentrelineModel(const PixelPlanes& planes, const VertexRulers& rulers,
-                  int table_bits);
+                  int table_bits, const centreline_warm::Table& start);
 
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(int table_bits);
 
-  /// For the training of kInitialWeights.
+  /// For the training of kInitialWeights and the warm start.
   [[nodiscard]] const auto& mixer() const { return mixer_; }
+  [[nodiscard]] const Slots& slots() const { return slots_; }
 
  private:
   /// The sets whose selectors choose the refiners' contexts, too.

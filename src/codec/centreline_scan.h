@@ -9,6 +9,7 @@
 #include "codec/centreline_coder.h"
 #include "codec/centreline_model.h"
 #include "codec/centreline_start_model.h"
+#include "codec/centreline_warm_start.h"
 #include "codec/deep_centreline_model.h"
 #include "codec/pixel_planes.h"
 #include "codec/vertex_rulers.h"
@@ -33,11 +34,12 @@ template <class Side, class Lines, class Starts>
 class CentrelineScan {
  public:
   CentrelineScan(Side& side, std::int32_t width, std::int32_t height,
-                 int table_bits)
+                 int table_bits,
+                 const centreline_warm::Table& start = centreline_warm::kTable)
       : side_(side),
         planes_(width, height),
         rulers_(width, height),
-        lines_(planes_, rulers_, table_bits),
+        lines_(planes_, rulers_, table_bits, start),
         starts_(planes_, rulers_) {}
 
   Status run(const BlockProgress& progress) {

@@ -44,9 +44,19 @@ DeepCentrelineModel::first_weights() {
 
 DeepCentrelineModel::DeepCentrelineModel(const PixelPlanes& planes,
                                          const VertexRulers& rulers,
-                                         int table_bits)
+                                         int table_bits,
+                                         const centreline_warm::Table& start)
     : LineFollower(planes, rulers),
-      model_(table_bits, kSizes, first_weights()) {}
+      model_(table_bits, kSizes, first_weights()) {
+  start.for_each([&](std::size_t i, const centreline_warm::Record& record) {
+    const std::uint32_t upper =
+        std::uint32_t{record.index} << 12 | record.check >> 4;
+    for (std::size_t k = 0; k < record.size; ++k) {
+      const auto& [node, n, p] = record.counters[k];
+      model_.know(i, upper, node, p, n);
+    }
+  });
+}
 
 std::uint64_t DeepCentrelineModel::memory(int table_bits) {
   // The match comes on top.
@@ -98,7 +108,7 @@ void DeepCentrelineModel::look(const Sight& sight) {
 
 void DeepCentrelineModel::ask(unsigned found) {
   for (std::size_t i = 0; i < kAll; ++i) {
-    model_.ask_mixed(i, found == 0 ? values_[i] : mix(values_[i], found));
+    ask(i, found == 0 ? values_[i] : mix(values_[i], found));
   }
   if (found == 0) return;
   for (std::size_t s = 0; s < kVectors.size(); ++s) {
@@ -109,10 +119,16 @@ void DeepCentrelineModel::ask(unsigned found) {
   choice_.refined[1] += kVectors[0];
 }
 
+/// Those of CentrelineModel by its hash, so that they have its warm start.
+void DeepCentrelineModel::ask(std::size_t i, std::uint64_t value) {
+  if (i < LineFollower::kContexts) return model_.ask(i, (value + i) * kGolden);
+  model_.ask_mixed(i, value);
+}
+
 /// Whether there are more pixels depends on which was found first.
 void DeepCentrelineModel::ask_beside(Node first) {
   for (std::size_t i = 0; i < kAll; ++i) {
-    model_.ask_mixed(i, mix(values_[i], 256U + first));
+    ask(i, mix(values_[i], 256U + first));
   }
 }
 

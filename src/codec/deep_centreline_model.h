@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "codec/centreline_warm_start.h"
 #include "codec/deep_model.h"
 #include "codec/line_follower.h"
 
@@ -16,7 +17,7 @@ class DeepCentrelineModel : public LineFollower<DeepCentrelineModel> {
   /// The planes and rulers must outlive the model; 2^table_bits slots per
   /// context.
   DeepCentrelineModel(const PixelPlanes& planes, const VertexRulers& rulers,
-                      int table_bits);
+                      int table_bits, const centreline_warm::Table& start);
 
   /// Bytes that the constructor allocates.
   static std::uint64_t memory(int table_bits);
@@ -32,6 +33,7 @@ class DeepCentrelineModel : public LineFollower<DeepCentrelineModel> {
   void look(const Sight& sight);
   void ask(unsigned found);
   void ask_beside(Node first);
+  void ask(std::size_t i, std::uint64_t value);
   template <class Coder>
   bool decide(Coder& coder, Node node, bool bit) {
     if (node == kMoreAside) ask_beside(last_);

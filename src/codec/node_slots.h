@@ -40,17 +40,34 @@ class NodeSlots {
     Slot* slot = &slots_[(i << table_bits_) + (hash >> (64 - table_bits_))];
     __builtin_prefetch(slot, 1);
     next_[i] = slot;
-    checks_[i] = static_cast<std::uint16_t>(hash >> 8);
+    checks_[i] = static_cast<std::uint16_t>(hash >> 32);
+  }
+
+  /// For a warm start: what is known under a hash of which the upper 32 bits
+  /// are those. REQUIRES: 2^16 slots per context at most, nothing asked for.
+  void know(std::size_t i, std::uint16_t index, std::uint16_t check,
+            std::size_t node, std::uint16_t p, std::uint8_t n) {
+    Slot& slot = slots_[(i << table_bits_) + (index >> (16 - table_bits_))];
+    if (slot.check != check) renew(slot, check);
+    slot.p[node] = p;
+    slot.n[node] = n;
+  }
+  /// For training one: calls `see(context, index, check, p, n)` for the slots
+  /// that know something, p and n by nodes. REQUIRES: 2^16 slots per context.
+  template <class See>
+  void for_each(See see) const {
+    for (std::size_t k = 0; k < slots_.size(); ++k) {
+      const Slot& slot = slots_[k];
+      if (slot.n == decltype(slot.n){}) continue;
+      see(k >> 16, static_cast<std::uint16_t>(k), slot.check, slot.p, slot.n);
+    }
   }
 
   void recall() {
     active_ = next_;
     for (std::size_t i = 0; i < kContexts; ++i) {
       Slot& slot = *active_[i];
-      if (slot.check == checks_[i]) continue;
-      slot.p.fill(32768);
-      slot.n.fill(0);
-      slot.check = checks_[i];
+      if (slot.check != checks_[i]) renew(slot, checks_[i]);
     }
   }
 
@@ -97,6 +114,11 @@ class NodeSlots {
     std::array<std::uint8_t, kNodes> n;
     std::uint16_t check;
   };
+  static void renew(Slot& slot, std::uint16_t check) {
+    slot.p.fill(32768);
+    slot.n.fill(0);
+    slot.check = check;
+  }
   struct Decision {  ///< one that is not yet learned from
     std::uint8_t node;
     bool bit;

@@ -8,7 +8,8 @@
 /// The warm start: what the models of coder 1 know before the first bit,
 /// learned from other drawings. tests/bench/train_warm_start.cpp makes
 /// warm_start_small.cpp, warm_start_large.cpp and warm_start_clean.cpp;
-/// docs/format.md says how they are applied. Part of the format: a changed table is a new table id.
+/// docs/format.md says how they are applied. Part of the format: a changed
+/// table is a new table id.
 namespace unstep::codec::warm {
 
 inline constexpr std::uint8_t kTableId = 1;

@@ -84,7 +84,7 @@ class Compress(harness.CliTest):
         coast = str(SAMPLES / "coast.png")
         self.run_cli("compress", coast, "-o", "coast.ustp", "--no-verify")
         about = self.run_cli("info", "coast.ustp").out
-        self.assertIn("coder 3 revision 0 table 0", about)
+        self.assertIn("coder 3 revision 0 table 1", about)
         same = self.run_cli("verify", coast, "coast.ustp")
         self.assertEqual((same.code, same.err), (0, ""))
         half = self.run_cli("decompress", "coast.ustp", "--box",

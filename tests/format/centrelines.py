@@ -8,6 +8,7 @@ from chain_segment import Match8, Segment8
 from decisions import RAW, mix
 from entropy import (K, M64, STRETCH, Damaged, Mixer, Refiner, clamp, move,
                      squash)
+from line_records import line_records
 
 DX, DY = (1, 1, 0, -1, -1, -1, 0, 1), (0, -1, -1, -1, 0, 1, 1, 1)
 ORDER = 0, 1, 7, 2, 6, 3, 5, 4
@@ -39,6 +40,9 @@ class Lines:
         size = pixels.width * pixels.rows
         self.T = 11 if size < 40000 else 13 if size < 2000000 else 15
         self.slots = [{} for _ in range(8)]
+        for i, index, check, counters in line_records():
+            for counter in counters:
+                self.know(i, index, check, *counter)
         self.mixer = Mixer([2 * s for s in self.SIZES], weights[:8])
         later = [[clamp(4 * w, -32768, 32767) for w in v]
                  for v in weights[8:]]
@@ -46,6 +50,15 @@ class Lines:
             vectors[s:] = [[later[k % 8], 0] for k in range(s, 2 * s)]
         self.refiners = Refiner(), Refiner()
         self.match = Match8()
+
+    def slot(self, i, at, check):
+        slot = self.slots[i].setdefault(at, [0, [[RAW, 0] for _ in range(8)]])
+        if slot[0] != check:
+            slot[:] = check, [[RAW, 0] for _ in range(8)]
+        return slot[1]
+
+    def know(self, i, index, check, node, p, n):
+        self.slot(i, index >> 16 - self.T, check)[node][:] = p, n
 
     def begin(self, x, y, d):
         self.trail, self.d = [(x, y, 0)], d
@@ -116,14 +129,11 @@ class Lines:
     def ask(self, first):
         """The slots of all contexts; `first`: 0, or 2^t of the first pixel."""
         self.found = []
-        for i, (slots, value) in enumerate(zip(self.slots, self.values)):
+        for i, value in enumerate(self.values):
             hashed = (mix(value, first) if first else value) + i
             hashed = hashed * K & M64
-            check, at = hashed >> 8 & 65535, hashed >> (64 - self.T)
-            slot = slots.setdefault(at, [0, [[RAW, 0] for _ in range(8)]])
-            if slot[0] != check:
-                slot[:] = check, [[RAW, 0] for _ in range(8)]
-            self.found.append(slot[1])
+            self.found.append(self.slot(i, hashed >> (64 - self.T),
+                                        hashed >> 32 & 65535))
         self.more = first != 0
 
     def decide(self, coder, node):

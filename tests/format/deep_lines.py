@@ -3,6 +3,7 @@ from centreline_starts import Starts, bits
 from centrelines import Centrelines, Lines, first_weights
 from deep import Deep
 from entropy import K, M64
+from line_records import line_records
 from turns import mix
 
 
@@ -16,6 +17,9 @@ class DeepLines(Lines):
                         for i in range(23)]
             vectors.append(part(0, 226) + part(8, 86) + [65] * 23 + [0])
         self.deep = Deep(23, 0, self.T + 1, 3, vectors)
+        for i, index, check, counters in line_records():
+            for counter in counters:
+                self.deep.know(i, index << 12 | check >> 4, *counter)
 
     def look(self, start):
         super().look(start)
@@ -51,14 +55,16 @@ class DeepLines(Lines):
         self.level = level
 
     def ask(self, first):
-        self.deep.ask_mixed([mix(v, first) if first else v
-                             for v in self.values])
+        self.ask_for([mix(v, first) if first else v for v in self.values])
         self.more = first != 0
+
+    def ask_for(self, values):
+        self.deep.ask([(v + i if i < 8 else mix(v, i)) * K & M64
+                       for i, v in enumerate(values)])
 
     def decide(self, coder, node):
         if node == 7:
-            self.deep.ask_mixed([mix(v, 256 + self.before)
-                                 for v in self.values])
+            self.ask_for([mix(v, 256 + self.before) for v in self.values])
         self.before = node
         chosen = [c + node + s * self.more for c, s in
                   zip(self.chosen, self.SIZES + (64, 0, 0))]
