@@ -1,6 +1,7 @@
 #include "codec/mixed_shape_sequence.h"
 
 #include "codec/context.h"
+#include "codec/shape_warm_start.h"
 
 namespace unstep::codec {
 namespace {
@@ -14,7 +15,8 @@ int table_bits(std::int32_t width, std::int32_t height) {
 
 MixedShapeSequence::MixedShapeSequence(std::int32_t width, std::int32_t height)
     : ShapeHistory(width),
-      mixer_(table_bits(width, height), {kFields * kNodes, kFields * 3}) {}
+      mixer_(table_bits(width, height), {kFields * kNodes, kFields * 3},
+             shape_warm::kNumbers) {}
 
 std::uint64_t MixedShapeSequence::memory(std::int32_t width,
                                          std::int32_t height) {

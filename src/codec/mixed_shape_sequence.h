@@ -38,6 +38,11 @@ class MixedShapeSequence
                         field * std::size_t{3} + kind()});
   }
 
+  /// For training a warm start.
+  [[nodiscard]] const PixelMixer::Mixer& mixer() const {
+    return mixer_.mixer();
+  }
+
  private:
   [[nodiscard]] PixelMixer::Contexts of_gap(const Contexts& known) const;
   [[nodiscard]] PixelMixer::Contexts of_rise(const Contexts& known) const;

@@ -5,9 +5,11 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "codec/context.h"
+#include "codec/warm_start.h"
 #include "entropy/counter.h"
 #include "entropy/logistic.h"
 #include "entropy/mixer.h"
@@ -30,13 +32,37 @@ class PixelMixer {
   static constexpr std::size_t kSets = 2;
   using Contexts = std::array<std::uint64_t, kContexts>;
   using Chosen = std::array<std::size_t, kSets>;
+  using Weights = std::array<std::int16_t, kInputs>;
+  using Mixer = entropy::Mixer<kInputs, kSets>;
+
+  /// The weights to begin with, 12 fractional bits: those of all vectors, and
+  /// the vectors that begin elsewhere, 2 + kInputs characters of the warm start
+  /// each: its number, counted through the sets, and how much more each weight
+  /// is, in steps of kStartStep around 32.
+  struct Start {
+    Weights shared;
+    std::string_view vectors;
+  };
+  static constexpr int kStartStep = 32;
+  static constexpr Start even() {
+    Start start{};
+    start.shared.fill(6144 / kContexts);
+    return start;
+  }
 
   /// 2^table_bits slots per context. REQUIRES: 8 <= table_bits <= 24.
-  PixelMixer(int table_bits, const Chosen& selectors)
+  PixelMixer(int table_bits, const Chosen& selectors,
+             const Start& start = even())
       : bits_(table_bits),
         slots_(kContexts << table_bits),
-        mixer_(selectors, std::array<Weights, 1>{initial()}),
-        refiner_(selectors[0]) {}
+        mixer_(selectors, std::array<Weights, 1>{start.shared}),
+        refiner_(selectors[0]) {
+    constexpr std::size_t kCharacters = 2 + kInputs;
+    for (std::size_t at = 0; at < start.vectors.size(); at += kCharacters) {
+      begin_vector(start.vectors.substr(at, kCharacters), start.shared,
+                   selectors[0]);
+    }
+  }
 
   /// Bytes of the slots.
   static constexpr std::uint64_t memory(int table_bits) {
@@ -56,18 +82,30 @@ class PixelMixer {
     return coded;
   }
 
+  /// For training a warm start.
+  [[nodiscard]] const Mixer& mixer() const { return mixer_; }
+
  private:
-  using Weights = std::array<std::int16_t, kInputs>;
   struct Slot {
     std::uint16_t p = 32768;
     std::uint8_t n = 0;
     std::uint8_t check = 0;
   };
 
-  static constexpr Weights initial() {
+  /// `first`: how many vectors the first set has.
+  void begin_vector(std::string_view text, const Weights& shared,
+                    std::size_t first) {
+    const std::size_t number =
+        warm::from_char(text[0]) << 6 | warm::from_char(text[1]);
     Weights weights{};
-    weights.fill(6144 / kContexts);
-    return weights;
+    for (std::size_t i = 0; i < kInputs; ++i) {
+      const int steps = static_cast<int>(warm::from_char(text[2 + i])) - 32;
+      weights[i] = static_cast<std::int16_t>(
+          std::clamp((shared[i] + kStartStep * steps) * 4, -32768, 32767));
+    }
+    const bool second = number >= first;
+    mixer_.set_weights(second ? 1 : 0, second ? number - first : number,
+                       weights, 0);
   }
 
   /// Finds the slots: all are asked for before the first is used, and no step
@@ -143,7 +181,7 @@ class PixelMixer {
 
   int bits_;
   std::vector<Slot> slots_;
-  entropy::Mixer<kInputs, kSets> mixer_;
+  Mixer mixer_;
   entropy::Refiner refiner_;
   std::array<Slot*, kContexts> active_{};
   alignas(16) std::array<std::uint16_t, kContexts> checks_{};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,10 @@
 namespace unstep::codec {
 
 struct PlacedShape;
+class MixedShapePixels;
+class MixedShapeSequence;
+template <class Model>
+class ShapePixelOrder;
 
 /// The models; they are the revisions of coder 2. The deep ones are for the max
 /// effort.
@@ -53,6 +58,14 @@ Result<std::vector<std::uint8_t>> encode_shapes(
     const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
     std::uint8_t revision, const std::vector<PlacedShape>& shapes,
     const BlockProgress& progress);
+
+/// For training: encodes the shapes and shows the models as they are then.
+using ShapeVisitor =
+    std::function<void(const ShapePixelOrder<MixedShapePixels>& pixels,
+                       const MixedShapeSequence& numbers)>;
+Status show_shape_models(const Bitmap& ink,
+                         const std::vector<PlacedShape>& shapes,
+                         const ShapeVisitor& visit);
 
 Status decode_shapes(std::span<const std::uint8_t> payload, Bitmap& ink,
                      std::int32_t first_row, std::int32_t rows,

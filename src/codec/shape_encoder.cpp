@@ -47,18 +47,24 @@ Status tell(EncoderSide& side, std::int32_t width, std::int32_t rows, int bits,
   return scan.run(progress);
 }
 
+Result<Bitmap> copy_rows(const Bitmap& ink, std::int32_t first_row,
+                         std::int32_t rows) {
+  Result<Bitmap> copy = Bitmap::create(ink.width(), rows);
+  for (std::int32_t y = 0; copy && y < rows; ++y) {
+    const auto from = ink.row(first_row + y);
+    std::copy(from.begin(), from.end(), copy->row(y).begin());
+  }
+  return copy;
+}
+
 }  // namespace
 
 Result<std::vector<std::uint8_t>> encode_shapes(
     const Bitmap& ink, std::int32_t first_row, std::int32_t rows,
     std::uint8_t revision, const std::vector<PlacedShape>& shapes,
     const BlockProgress& progress) {
-  Result<Bitmap> rest = Bitmap::create(ink.width(), rows);
+  Result<Bitmap> rest = copy_rows(ink, first_row, rows);
   if (!rest) return rest.error();
-  for (std::int32_t y = 0; y < rows; ++y) {
-    const auto from = ink.row(first_row + y);
-    std::copy(from.begin(), from.end(), rest->row(y).begin());
-  }
   entropy::ArithmeticEncoder coder;
   EncoderSide side(coder, shapes, *rest);
   const int bits = shape_table_bits(revision, ink.width(), rows);
@@ -72,6 +78,22 @@ Result<std::vector<std::uint8_t>> encode_shapes(
                                 second_half(progress, rows));
   if (!status) return status.error();
   return coder.finish();
+}
+
+Status show_shape_models(const Bitmap& ink,
+                         const std::vector<PlacedShape>& shapes,
+                         const ShapeVisitor& visit) {
+  Result<Bitmap> rest = copy_rows(ink, 0, ink.height());
+  if (!rest) return rest.error();
+  entropy::ArithmeticEncoder coder;
+  EncoderSide side(coder, shapes, *rest);
+  ShapeScan<EncoderSide, MixedShapeModels> scan(
+      side, ink.width(), ink.height(),
+      shape_table_bits(kShapesMixed, ink.width(), ink.height()),
+      std::numeric_limits<std::uint64_t>::max());
+  Status status = scan.run({});
+  if (status) visit(scan.pixels(), scan.sequence());
+  return status;
 }
 
 }  // namespace unstep::codec

@@ -9,6 +9,7 @@
 #include "codec/colour_run.h"
 #include "codec/pixel_mixer.h"
 #include "codec/shape_glyph.h"
+#include "codec/shape_warm_start.h"
 #include "entropy/counter.h"
 
 namespace unstep::codec {
@@ -38,6 +39,9 @@ class ShapePixelOrder {
   static constexpr bool kSeesOthers = Model::kSeesOthers;
   /// Rows of the reference that are seen, the middle one being the pixel's.
   static constexpr std::size_t kMatched = 2 * Model::kReach + 1;
+
+  /// For training a warm start.
+  [[nodiscard]] const Model& model() const { return model_; }
 
   explicit ShapePixelOrder(int table_bits)
       : model_(table_bits),
@@ -289,7 +293,8 @@ class MixedShapePixels {
   static constexpr std::int32_t kLook = 24;  ///< 6 pixels ahead are seen
   static constexpr bool kSeesOthers = false;
 
-  explicit MixedShapePixels(int table_bits) : mixer_(table_bits, {1024, 256}) {}
+  explicit MixedShapePixels(int table_bits)
+      : mixer_(table_bits, {1024, 256}, shape_warm::kPixels) {}
 
   static std::uint64_t memory(int table_bits) {
     return PixelMixer::memory(table_bits);
@@ -338,6 +343,11 @@ class MixedShapePixels {
                 n.corner | (n.r2 >> 31 & 3) << 5};
     }
     return mixer_.code(coder, truth, c, chosen);
+  }
+
+  /// For training a warm start.
+  [[nodiscard]] const PixelMixer::Mixer& mixer() const {
+    return mixer_.mixer();
   }
 
  private:

@@ -75,6 +75,13 @@ class ShapeScan {
     }
   }
 
+  [[nodiscard]] const typename Models::Pixels& pixels() const {
+    return pixels_;
+  }
+  [[nodiscard]] const typename Models::Sequence& sequence() const {
+    return sequence_;
+  }
+
  private:
   using Past = ShapePast;
   /// Of a shape's sides and place against what it refers to.

@@ -1,13 +1,15 @@
 """Section "Pixels of shapes" of docs/format.md."""
 from entropy import K, M64, STRETCH, Mixer, Refiner, clamp, move, squash, top, update
+from shape_weights import begin
 
 
 class SlotMixer:
     """Eight contexts of 2^b slots that are checked, mixed and refined."""
 
-    def __init__(self, b, vectors):
+    def __init__(self, b, vectors, name):
         self.b, self.slots = b, [{} for _ in range(8)]
-        self.mixer = Mixer(vectors, ([768] * 16,))
+        self.mixer = Mixer(vectors, ([0] * 16,))
+        begin(self.mixer, name)
         self.refiner = Refiner()
 
     def decode(self, coder, values, vectors):
@@ -37,7 +39,8 @@ class Pixels:
     def __init__(self, coder, size):
         self.coder = coder
         self.runs, self.gates = {}, {}
-        self.mixer = SlotMixer(14 if size < 1000000 else 15, (1024, 256))
+        self.mixer = SlotMixer(14 if size < 1000000 else 15, (1024, 256),
+                               "kPixels")
 
     def shape(self, w, h, R, dx, dy):
         """Rows of pixels; R is the shape that it refers to, or None."""

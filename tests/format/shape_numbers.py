@@ -131,7 +131,8 @@ class History(Numbers):
 class MixedNumbers(History):
     def __init__(self, coder, size):
         super().__init__(coder)
-        self.mixer = SlotMixer(14 if size < 1000000 else 16, (936, 39))
+        self.mixer = SlotMixer(14 if size < 1000000 else 16, (936, 39),
+                               "kNumbers")
 
     def look(self, field, v):
         (a, b, c), klass = (self.last(k) for k in range(3)), self.klass
