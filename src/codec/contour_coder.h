@@ -75,7 +75,8 @@ Status code_contours(entropy::ArithmeticDecoder& coder, Bitmap& ink,
 
 /// For training a warm start: encodes from `start` with the standard model and
 /// tables of at least 2^16 slots, and shows the models as they are at the end.
-inline constexpr int kTrainingBits = 17;
+inline constexpr int kTrainingBits =
+    19;  // some contexts have eight times fewer
 using ModelVisitor = std::function<void(
     const MixedTurnModel<TurnViews{0}>& turns, const StartModel& starts)>;
 Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,

@@ -47,7 +47,8 @@ class NodeSlots {
   /// are those. REQUIRES: 2^16 slots per context at most, nothing asked for.
   void know(std::size_t i, std::uint16_t index, std::uint16_t check,
             std::size_t node, std::uint16_t p, std::uint8_t n) {
-    Slot& slot = slots_[(i << table_bits_) + (index >> (16 - table_bits_))];
+    const std::size_t at = std::size_t{index} >> (16 - table_bits_);
+    Slot& slot = slots_[(i << table_bits_) + at];
     if (slot.check != check) renew(slot, check);
     slot.p[node] = p;
     slot.n[node] = n;

@@ -244,7 +244,12 @@ std::string Trainer::vector_text(std::size_t number) const {
 
 void write_text(std::FILE* out, const std::string& text) {
   for (std::size_t i = 0; i < text.size(); i += 72) {
-    std::fprintf(out, "    \"%s\"\n", text.substr(i, 72).c_str());
+    std::string line = text.substr(i, 72);
+    // No trigraphs.
+    for (std::size_t k = 0; (k = line.find("??", k)) != std::string::npos;) {
+      line.insert(++k, "\"\"");
+    }
+    std::fprintf(out, "    \"%s\"\n", line.c_str());
   }
   std::fprintf(out, "    \"\",\n");
 }
