@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
 
 #if defined(__linux__) && defined(__GLIBC__) && defined(__LP64__)
 #include <sys/mman.h>
@@ -27,10 +28,10 @@ void prepare_thread_heap() {
   // No more than advice: whoever owns the addresses loses nothing.
   ::madvise(reinterpret_cast<void*>(address - used), kHeap, MADV_HUGEPAGE);
   // The first large page is a row of small ones already, since its first was
-  // touched. Left out, for as long as the heap lives; volatile, or a compiler
-  // leaves the call out instead.
-  void* volatile const rest = std::malloc(kHuge - used);
-  static_cast<void>(rest);
+  // touched. Left out, as long as the thread lives.
+  thread_local std::unique_ptr<void, decltype(&std::free)> rest(nullptr,
+                                                                &std::free);
+  rest.reset(std::malloc(kHuge - used));
 #endif
 }
 
