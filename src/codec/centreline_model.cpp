@@ -14,13 +14,11 @@ CentrelineModel::CentrelineModel(const PixelPlanes& planes,
       mixer_(twice(kVectors), std::span(kInitialWeights).first<kNodes>()),
       refiners_{entropy::Refiner(2 * kVectors[kRefined[0]]),
                 entropy::Refiner(2 * kVectors[kRefined[1]])} {
-  for (std::size_t set = 0; set < kSets; ++set) {
-    for (std::size_t k = kVectors[set]; k < 2 * kVectors[set]; ++k) {
-      Weights weights = kInitialWeights[kNodes + k % kNodes];
-      for (std::int16_t& w : weights) {
-        w = static_cast<std::int16_t>(std::clamp(w * 4, -32768, 32767));
-      }
-      mixer_.set_weights(set, k, weights, 0);
+  std::size_t number = 0;
+  for (const std::size_t half : kVectors) {
+    number += half;
+    for (std::size_t k = half; k < 2 * half; ++k, ++number) {
+      mixer_.begin(number, kInitialWeights[kNodes + k % kNodes]);
     }
   }
   start.for_each([&](std::size_t i, const centreline_warm::Record& record) {

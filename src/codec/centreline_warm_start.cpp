@@ -1,14 +1,8 @@
 #include "codec/centreline_warm_start.h"
 
 #include "codec/warm_start.h"
-#include "entropy/logistic.h"
 
 namespace unstep::codec::centreline_warm {
-
-std::uint16_t probability(unsigned level) {
-  return static_cast<std::uint16_t>(
-      entropy::squash((static_cast<int>(level) - 32) * 72));
-}
 
 unsigned Reader::take(int characters) {
   unsigned value = 0;
@@ -31,7 +25,7 @@ Record Reader::next() {
   for (std::size_t i = 0; i < record.size; ++i) {
     const unsigned which = take(1);
     record.counters[i] = {static_cast<std::uint8_t>(which >> 3),
-                          kAges[which & 7], probability(take(1))};
+                          kAges[which & 7], warm::probability(take(1))};
   }
   return record;
 }

@@ -31,9 +31,8 @@ struct Record {
   std::array<Counter, kMostCounters> counters{};
 };
 
-/// Ages and probabilities, squash(72 (level - 32)), of stored counters.
+/// Ages of stored counters.
 inline constexpr std::array<std::uint8_t, 8> kAges{1, 2, 4, 7, 11, 16, 22, 30};
-std::uint16_t probability(unsigned level);
 
 /// Takes records apart. Each is told by how many indices are passed over since
 /// the one before of its context (one character; 63: three more, the number),

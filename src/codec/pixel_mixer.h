@@ -36,14 +36,11 @@ class PixelMixer {
   using Mixer = entropy::Mixer<kInputs, kSets>;
 
   /// The weights to begin with, 12 fractional bits: those of all vectors, and
-  /// the vectors that begin elsewhere, 2 + kInputs characters of the warm start
-  /// each: its number, counted through the sets, and how much more each weight
-  /// is, in steps of kStartStep around 32.
+  /// the vectors that begin elsewhere (warm::for_each_vector).
   struct Start {
     Weights shared;
     std::string_view vectors;
   };
-  static constexpr int kStartStep = 32;
   static constexpr Start even() {
     Start start{};
     start.shared.fill(6144 / kContexts);
@@ -57,11 +54,11 @@ class PixelMixer {
         slots_(kContexts << table_bits),
         mixer_(selectors, std::array<Weights, 1>{start.shared}),
         refiner_(selectors[0]) {
-    constexpr std::size_t kCharacters = 2 + kInputs;
-    for (std::size_t at = 0; at < start.vectors.size(); at += kCharacters) {
-      begin_vector(start.vectors.substr(at, kCharacters), start.shared,
-                   selectors[0]);
-    }
+    warm::for_each_vector<kInputs>(
+        start.vectors, [&](std::size_t) { return start.shared; },
+        [&](std::size_t number, const Weights& weights) {
+          mixer_.begin(number, weights);
+        });
   }
 
   /// Bytes of the slots.
@@ -91,22 +88,6 @@ class PixelMixer {
     std::uint8_t n = 0;
     std::uint8_t check = 0;
   };
-
-  /// `first`: how many vectors the first set has.
-  void begin_vector(std::string_view text, const Weights& shared,
-                    std::size_t first) {
-    const std::size_t number =
-        warm::from_char(text[0]) << 6 | warm::from_char(text[1]);
-    Weights weights{};
-    for (std::size_t i = 0; i < kInputs; ++i) {
-      const int steps = static_cast<int>(warm::from_char(text[2 + i])) - 32;
-      weights[i] = static_cast<std::int16_t>(
-          std::clamp((shared[i] + kStartStep * steps) * 4, -32768, 32767));
-    }
-    const bool second = number >= first;
-    mixer_.set_weights(second ? 1 : 0, second ? number - first : number,
-                       weights, 0);
-  }
 
   /// Finds the slots: all are asked for before the first is used, and no step
   /// waits for what it holds, so that their memory arrives together.

@@ -52,7 +52,7 @@ std::array<std::array<std::int16_t, Model::kInputs>, 2> first_weights(
 }
 
 template <class Model>
-constexpr std::array<std::size_t, Model::kSets> set_sizes() {
+std::array<std::size_t, Model::kSets> set_sizes() {
   if constexpr (Model::kAll) {
     return {64, 1024, 1024, 1024};
   } else {
@@ -99,24 +99,14 @@ MixedTurnModel<kViews>::MixedTurnModel(const CrackMap& cracks, int table_bits,
                               static_cast<std::uint16_t>(record.check + 1)};
     });
   }
-  if constexpr (kAll) start_vectors(start);
-}
-
-template <TurnViews kViews>
-void MixedTurnModel<kViews>::start_vectors(const warm::Table& start) {
-  constexpr auto kSizes = set_sizes<MixedTurnModel>();
-  start.for_each_vector([&](const warm::Vector& vector) {
-    const auto& shared = start.turn_weights[vector.number % 2];
-    typename decltype(mixer_)::Inputs weights{};
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      weights[i] = static_cast<std::int16_t>(
-          std::clamp((shared[i] + vector.more[i]) * 4, -32768, 32767));
-    }
-    std::size_t set = 0;
-    std::size_t k = vector.number;
-    for (; k >= kSizes[set]; ++set) k -= kSizes[set];
-    mixer_.set_weights(set, k, weights, 0);
-  });
+  if constexpr (kAll) {
+    warm::for_each_vector<kInputs>(
+        start.vectors,
+        [&](std::size_t number) { return start.turn_weights[number % 2]; },
+        [&](std::size_t number, const auto& weights) {
+          mixer_.begin(number, weights);
+        });
+  }
 }
 
 template <TurnViews kViews>

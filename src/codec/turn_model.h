@@ -110,7 +110,6 @@ class MixedTurnModel : public TurnWalk<kViews == TurnViews::all> {
   /// The two binary decisions that make a turn.
   enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
 
-  void start_vectors(const warm::Table& start);
   void look_around();
   int probability(Node node);
   void learn(Node node, bool bit) {

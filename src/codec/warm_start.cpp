@@ -5,7 +5,6 @@
 namespace unstep::codec::warm {
 namespace {
 
-/// 64 stretches in steps of 72 / 256 around 0.
 constexpr std::array<std::uint16_t, 64> kProbabilities = [] {
   std::array<std::uint16_t, 64> all{};
   for (int level = 0; level < 64; ++level) {
@@ -17,29 +16,20 @@ constexpr std::array<std::uint16_t, 64> kProbabilities = [] {
 
 }  // namespace
 
+std::uint16_t probability(unsigned level) { return kProbabilities[level]; }
+
 Record parse(std::string_view eight) {
   std::uint64_t bits = 0;
   for (const char c : eight) bits = bits << 6 | from_char(c);
   const auto field = [&](unsigned shift, unsigned count) {
     return static_cast<unsigned>(bits >> shift) & ((1U << count) - 1);
   };
-  const auto probability = [](unsigned level) { return kProbabilities[level]; };
   Record record;
   record.index = static_cast<std::uint16_t>(field(32, 16));
   record.check = static_cast<std::uint16_t>(field(20, 12));
   record.p = {probability(field(14, 6)), probability(field(8, 6))};
   record.n = {kAges[field(4, 4)], kAges[field(0, 4)]};
   return record;
-}
-
-Vector parse_vector(std::string_view characters) {
-  Vector vector;
-  vector.number = from_char(characters[0]) << 6 | from_char(characters[1]);
-  for (std::size_t i = 0; i < vector.more.size(); ++i) {
-    const int steps = static_cast<int>(from_char(characters[2 + i])) - 32;
-    vector.more[i] = static_cast<std::int16_t>(steps * Vector::kWeightStep);
-  }
-  return vector;
 }
 
 }  // namespace unstep::codec::warm

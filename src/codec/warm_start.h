@@ -41,24 +41,34 @@ inline constexpr std::array<std::uint8_t, 16> kAges{
 
 Record parse(std::string_view eight);
 
-/// A vector of the mixer of turns that does not start as all of its node do.
-/// Two characters of the table hold its number, counted through the sets, and
-/// one each how much more a weight is, in steps of kWeightStep around 32.
-struct Vector {
-  static constexpr std::size_t kCharacters = 34;
-  static constexpr int kWeightStep =
-      32;  ///< of weights with 12 fractional bits
+/// 64 levels of a stored probability: stretches in steps of 72 / 256 around 0.
+std::uint16_t probability(unsigned level);
 
-  std::size_t number = 0;
-  std::array<std::int16_t, 32> more{};
-};
+/// What a character of a vector adds to a weight with 12 fractional bits, in
+/// steps around 32.
+inline constexpr int kWeightStep = 32;
 
-Vector parse_vector(std::string_view characters);
+/// Calls `apply(number, weights)` for the vectors of a mixer that do not begin
+/// with `shared(number)`: two characters hold the number, counted through the
+/// sets, and one for each weight how much more it is. 12 fractional bits.
+template <std::size_t kInputs, class Shared, class Apply>
+void for_each_vector(std::string_view text, Shared shared, Apply apply) {
+  constexpr std::size_t kCharacters = 2 + kInputs;
+  for (; !text.empty(); text.remove_prefix(kCharacters)) {
+    const std::size_t number = from_char(text[0]) << 6 | from_char(text[1]);
+    std::array<std::int16_t, kInputs> weights = shared(number);
+    for (std::size_t i = 0; i < kInputs; ++i) {
+      const int steps = static_cast<int>(from_char(text[2 + i])) - 32;
+      weights[i] = static_cast<std::int16_t>(weights[i] + kWeightStep * steps);
+    }
+    apply(number, weights);
+  }
+}
 
 struct Table {
   std::array<std::uint16_t, kContexts> counts;  ///< of records, by context
   std::string_view records;                     ///< all of them, parse()
-  std::string_view vectors;                     ///< parse_vector()
+  std::string_view vectors;                     ///< for_each_vector()
   std::array<std::array<std::int16_t, 32>, 2> turn_weights;
   std::array<std::array<std::int16_t, 8>, 1> start_weights;
   std::array<std::array<std::uint16_t, 2>, kFlags> flags;
@@ -70,14 +80,6 @@ struct Table {
     for (std::size_t i = 0; i < context; ++i) first += counts[i];
     for (std::size_t i = 0; i < counts[context]; ++i) {
       apply(parse(records.substr((first + i) * 8, 8)));
-    }
-  }
-
-  /// Calls `apply(vector)` for the vectors.
-  template <class Apply>
-  void for_each_vector(Apply apply) const {
-    for (std::size_t at = 0; at < vectors.size(); at += Vector::kCharacters) {
-      apply(parse_vector(vectors.substr(at, Vector::kCharacters)));
     }
   }
 };

@@ -124,12 +124,8 @@ class Mixer {
   /// 12 fractional bits. REQUIRES: initial is not empty.
   Mixer(const std::array<std::size_t, kSets>& selectors,
         std::span<const std::array<std::int16_t, kInputs>> initial) {
-    std::vector<Inputs> scaled(initial.begin(), initial.end());
-    for (Inputs& vector : scaled) {
-      for (std::int16_t& w : vector) {
-        w = static_cast<std::int16_t>(std::clamp(w * 4, -32768, 32767));
-      }
-    }
+    std::vector<Inputs> scaled;
+    for (const Inputs& vector : initial) scaled.push_back(scale(vector));
     for (std::size_t s = 0; s < kSets; ++s) {
       weights_[s].reserve(selectors[s] * kInputs);
       for (std::size_t k = 0; k < selectors[s]; ++k) {
@@ -148,6 +144,14 @@ class Mixer {
   }
   [[nodiscard]] std::span<const std::uint16_t> ages(std::size_t s) const {
     return ages_[s];
+  }
+
+  /// Vector `number`, counted through the sets, begins with these weights, 12
+  /// fractional bits, instead.
+  void begin(std::size_t number, const Inputs& weights) {
+    std::size_t s = 0;
+    for (; number >= ages_[s].size(); ++s) number -= ages_[s].size();
+    set_weights(s, number, scale(weights), 0);
   }
 
   /// For a warm start: vector k of set s, 14 fractional bits, as if it had seen
@@ -199,6 +203,13 @@ class Mixer {
   static constexpr auto kRates = detail::make_mixer_rates(kRateStart, kRateEnd);
 
  private:
+  /// From 12 to 14 fractional bits.
+  static Inputs scale(Inputs weights) {
+    for (std::int16_t& w : weights) {
+      w = static_cast<std::int16_t>(std::clamp(w * 4, -32768, 32767));
+    }
+    return weights;
+  }
   static int clamp_stretch(int x) {
     return x > kStretchMax ? kStretchMax : x < -kStretchMax ? -kStretchMax : x;
   }

@@ -11,10 +11,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,12 +24,12 @@
 #include "codec/centreline_model.h"
 #include "codec/centreline_start_model.h"
 #include "codec/centreline_warm_start.h"
-#include "codec/warm_start.h"
-#include "unstep/formats.h"
+#include "train_text.h"
 
 namespace {
 
 using namespace unstep;
+using bench::to_text;
 namespace centreline_warm = codec::centreline_warm;
 using codec::CentrelineModel;
 using codec::CentrelineStartModel;
@@ -106,14 +105,6 @@ class Slots {
   std::map<Key, Sum> sums_;
 };
 
-std::string to_text(unsigned value, int characters) {
-  std::string text;
-  for (int i = characters; i-- > 0;) {
-    text += codec::warm::to_char(value >> (6 * i) & 63);
-  }
-  return text;
-}
-
 std::string Slots::record(std::uint32_t passed, std::uint16_t check,
                           const Sum& sum) {
   std::vector<std::size_t> nodes(sum.total.size());
@@ -164,14 +155,7 @@ bool Slots::write(const char* path) const {
   }
   for (const unsigned count : counts) std::fprintf(file, "%u, ", count);
   std::fprintf(file, "}},\n");
-  for (std::size_t i = 0; i < text.size(); i += 72) {
-    std::string line = text.substr(i, 72);
-    // No trigraphs.
-    for (std::size_t k = 0; (k = line.find("??", k)) != std::string::npos;) {
-      line.insert(++k, "\"\"");
-    }
-    std::fprintf(file, "    \"%s\"\n", line.c_str());
-  }
+  bench::print_text(file, text);
   std::fprintf(file,
                "    };\n\n}  // namespace unstep::codec::centreline_warm\n");
   return std::fclose(file) == 0;
@@ -184,14 +168,10 @@ struct Learned {
 };
 
 void learn(const char* file, bool records, Learned& learned) {
-  std::ifstream in(file, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
-  Result<RasterReader> reader = RasterReader::open(bytes, {});
-  if (!reader) return;
-  const Result<RasterPage> page = reader->read(0);
-  if (!page) return;
+  const std::optional<Bitmap> ink = bench::first_page(file);
+  if (!ink) return;
   (void)codec::show_centreline_models(
-      page->ink, records,
+      *ink, records,
       [&](const CentrelineModel& lines, const CentrelineStartModel& starts) {
         if (records) return learned.slots.add(lines.slots());
         for (std::size_t set = 0; set < CentrelineModel::kSets; ++set) {

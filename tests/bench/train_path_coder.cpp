@@ -16,12 +16,13 @@
 #include <vector>
 
 #include "codec/path_scan.h"
-#include "codec/warm_start.h"
 #include "train_drawings.h"
+#include "train_text.h"
 
 namespace {
 
 using namespace unstep;
+using bench::to_text;
 using codec::VectorModel;
 namespace path_warm = codec::path_warm;
 namespace warm = codec::warm;
@@ -73,14 +74,6 @@ void code(const Drawing& drawing, Prepare prepare, Learn learn) {
       side, drawing.paths.size(), elements, path_warm::Table{});
   prepare(scan->model().vectors());
   if (scan->run({})) learn(scan->model().vectors());
-}
-
-std::string to_text(unsigned value, int characters) {
-  std::string text;
-  for (int i = characters; i-- > 0;) {
-    text += warm::to_char(value >> (6 * i) & 63);
-  }
-  return text;
 }
 
 struct Sum {
@@ -240,12 +233,6 @@ class Weights {
       mixers_;
 };
 
-void print(std::FILE* out, const std::string& text) {
-  for (std::size_t i = 0; i < text.size(); i += 72) {
-    std::fprintf(out, "    \"%s\"\n", text.substr(i, 72).c_str());
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -294,9 +281,9 @@ int main(int argc, char** argv) {
                "#include \"codec/path_warm_start.h\"\n\n"
                "namespace unstep::codec::path_warm {\n\n"
                "const Table kTable = {\n");
-  print(out, records);
+  bench::print_text(out, records);
   std::fprintf(out, "    ,\n");
-  print(out, weights.text());
+  bench::print_text(out, weights.text());
   std::fprintf(out, "};\n\n}  // namespace unstep::codec::path_warm\n");
   return std::fclose(out) == 0 ? 0 : 1;
 }

@@ -6,10 +6,9 @@
 // weights, and takes what the vectors of the mixers came to: their mean, and of
 // each how it differs. Without images it writes equal weights. train_shapes.sh
 // runs it.
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,15 +17,12 @@
 #include "codec/shape_matcher.h"
 #include "codec/shape_models.h"
 #include "codec/shape_warm_start.h"
-#include "codec/warm_start.h"
-#include "unstep/formats.h"
+#include "train_text.h"
 
 namespace {
 
 using namespace unstep;
 using codec::PixelMixer;
-
-constexpr double kSharedVotes = 20;  // of what a vector shares with all others
 
 /// The vectors of one mixer, numbered through its sets.
 class Vectors {
@@ -37,13 +33,8 @@ class Vectors {
       const auto ages = mixer.ages(s);
       for (std::size_t k = 0; k < ages.size(); ++k, ++number) {
         if (number == sums_.size()) sums_.emplace_back();
-        const double votes = std::sqrt(ages[k]);
-        for (Sum* sum : {&sums_[number], &all_}) {
-          for (std::size_t i = 0; i < PixelMixer::kInputs; ++i) {
-            sum->weights[i] += votes * mixer.weights(s, k)[i] / 4;
-          }
-          sum->votes += votes;
-        }
+        sums_[number].add(mixer.weights(s, k), ages[k]);
+        all_.add(mixer.weights(s, k), ages[k]);
       }
     }
   }
@@ -51,48 +42,21 @@ class Vectors {
   void write(std::FILE* out, const char* name) const {
     std::fprintf(out, "const PixelMixer::Start %s = {\n    {", name);
     for (std::size_t i = 0; i < PixelMixer::kInputs; ++i) {
-      std::fprintf(out, "%s%ld", i == 0 ? "" : ", ", std::lround(shared(i)));
+      std::fprintf(out, "%s%ld", i == 0 ? "" : ", ",
+                   all_.votes > 0 ? std::lround(all_.mean(i) / 4)
+                                  : PixelMixer::even().shared[i]);
     }
     std::fprintf(out, "},\n");
     std::string text;
     for (std::size_t number = 0; number < sums_.size(); ++number) {
-      text += vector(number);
+      text += bench::vector_text(number, sums_[number], all_);
     }
-    for (std::size_t i = 0; i < text.size(); i += 72) {
-      std::fprintf(out, "    \"%s\"\n", text.substr(i, 72).c_str());
-    }
+    bench::print_text(out, text);
     std::fprintf(out, "    \"\"};\n\n");
   }
 
  private:
-  struct Sum {
-    std::array<double, PixelMixer::kInputs> weights{};
-    double votes = 0;
-  };
-
-  [[nodiscard]] double shared(std::size_t i) const {
-    constexpr double kEven = 6144.0 / PixelMixer::kContexts;
-    return all_.votes > 0 ? all_.weights[i] / all_.votes : kEven;
-  }
-
-  /// As the table holds it; nothing if it is as all others.
-  [[nodiscard]] std::string vector(std::size_t number) const {
-    const Sum& sum = sums_[number];
-    std::string text;
-    for (const std::size_t digit : {number >> 6, number & 63}) {
-      text += codec::warm::to_char(static_cast<unsigned>(digit));
-    }
-    bool differs = false;
-    for (std::size_t i = 0; i < PixelMixer::kInputs; ++i) {
-      const double own = (sum.weights[i] + kSharedVotes * shared(i)) /
-                         (sum.votes + kSharedVotes);
-      const long steps = std::clamp(
-          std::lround((own - shared(i)) / PixelMixer::kStartStep), -32L, 31L);
-      differs = differs || steps != 0;
-      text += codec::warm::to_char(static_cast<unsigned>(steps + 32));
-    }
-    return differs ? text : "";
-  }
+  using Sum = bench::WeightSum<PixelMixer::kInputs>;
 
   std::vector<Sum> sums_;
   Sum all_;
@@ -104,14 +68,9 @@ struct Trainer {
 };
 
 bool learn_file(const char* path, Trainer& trainer) {
-  Result<std::vector<std::uint8_t>> bytes =
-      read_file(path, std::uint64_t{1} << 32);
-  if (!bytes) return false;
-  Result<RasterReader> reader = RasterReader::open(*std::move(bytes), {});
-  if (!reader) return false;
-  const Result<RasterPage> page = reader->read(0);
+  const std::optional<Bitmap> page = bench::first_page(path);
   if (!page) return false;
-  const Bitmap& ink = page->ink;
+  const Bitmap& ink = *page;
   const Result<codec::EncodedBlock> block =
       codec::encode_ink(ink, 0, ink.height(), Effort::standard, {});
   if (!block) return false;

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,7 @@
 #include "codec/turn_model.h"
 #include "codec/warm_start.h"
 #include "entropy/logistic.h"
-#include "unstep/formats.h"
+#include "train_text.h"
 
 namespace {
 
@@ -50,7 +51,6 @@ const std::array<Part, 3> kParts{{
 }};
 constexpr double kMaxAge = 30;
 constexpr double kEnough = 6;  // observations per image that count in full
-constexpr double kSharedVotes = 20;  // of what a vector shares with all others
 
 /// One context's counters, added up over the images.
 struct Sum {
@@ -80,13 +80,9 @@ struct Trainer {
   const Part& part;
   std::array<Sums, warm::kContexts> sums;
   std::array<std::array<double, 2>, warm::kFlags> open{};
-  std::array<std::array<double, 32>, 2> turn_weights{};
-  std::array<double, 2> turn_votes{};
-  struct Vector {
-    std::array<double, 32> weights{};
-    double votes = 0;
-  };
-  std::vector<Vector> vectors;  ///< of the mixer of turns, through the sets
+  using TurnWeights = bench::WeightSum<32>;
+  std::array<TurnWeights, 2> turn_weights;  ///< of all vectors of a node
+  std::vector<TurnWeights> vectors;         ///< of one each, through the sets
   std::array<double, 8> start_weights{};
   double start_votes = 0;
   bool forgotten = false;
@@ -137,22 +133,16 @@ struct Trainer {
     for (std::size_t s = 0; s < TurnModel::kSets; ++s) {
       const auto ages = turns.mixer().ages(s);
       for (std::size_t k = 0; k < ages.size(); ++k, ++number) {
-        const double votes = std::sqrt(ages[k]);
         if (number == vectors.size()) vectors.emplace_back();
-        for (std::size_t i = 0; i < 32; ++i) {
-          const double weight = votes * turns.mixer().weights(s, k)[i];
-          turn_weights[k % 2][i] += weight;
-          vectors[number].weights[i] += weight;
-        }
-        turn_votes[k % 2] += votes;
-        vectors[number].votes += votes;
+        const auto weights = turns.mixer().weights(s, k);
+        turn_weights[k % 2].add(weights, ages[k]);
+        vectors[number].add(weights, ages[k]);
       }
     }
   }
 
   void forget();
   [[nodiscard]] double least_score() const;
-  [[nodiscard]] std::string vector_text(std::size_t number) const;
   void write(std::FILE* out) const;
 };
 
@@ -178,11 +168,8 @@ std::string record(Key key, const Sum& sum) {
     bits |= std::uint64_t{level_of(p)} << (node == 0 ? 14 : 8);
     bits |= std::uint64_t{age_of(n)} << (node == 0 ? 4 : 0);
   }
-  std::string text;
-  for (int shift = 42; shift >= 0; shift -= 6) {
-    text += warm::to_char(static_cast<unsigned>(bits >> shift) & 63);
-  }
-  return text;
+  return bench::to_text(static_cast<unsigned>(bits >> 24), 4) +
+         bench::to_text(static_cast<unsigned>(bits & 0xffffff), 4);
 }
 
 template <std::size_t kSize>
@@ -204,11 +191,11 @@ void write_weights(std::FILE* out, const std::array<double, kSize>& sums,
 void Trainer::forget() {
   forgotten = true;
   for (auto& counter : open) counter = {0, 0};
-  for (auto& weights : turn_weights) {
+  for (TurnWeights& sum : turn_weights) {
     for (std::size_t i = 0; i < 32; ++i)
-      weights[i] = i % 16 >= warm::kTurnContexts ? 0 : 410 * 4;
+      sum.weights[i] = i % 16 >= warm::kTurnContexts ? 0 : 410 * 4;
+    sum.votes = 1;
   }
-  turn_votes = {1, 1};
   for (std::size_t i = 0; i < 3; ++i) start_weights[i] = 1638 * 4;
   start_votes = 1;
 }
@@ -222,35 +209,8 @@ double Trainer::least_score() const {
   return scores.size() > part.most ? scores[part.most] : 0.0;
 }
 
-/// A vector as the table holds it; nothing if it is as all others.
-std::string Trainer::vector_text(std::size_t number) const {
-  const Vector& vector = vectors[number];
-  std::string text;
-  for (const std::size_t digit : {number >> 6, number & 63}) {
-    text += warm::to_char(static_cast<unsigned>(digit));
-  }
-  bool differs = false;
-  for (std::size_t i = 0; i < vector.weights.size(); ++i) {
-    const double shared = turn_weights[number % 2][i] / turn_votes[number % 2];
-    const double own = (vector.weights[i] + kSharedVotes * shared) /
-                       (vector.votes + kSharedVotes);
-    const long steps = std::clamp(
-        std::lround((own - shared) / 4 / warm::Vector::kWeightStep), -32L, 31L);
-    differs = differs || steps != 0;
-    text += warm::to_char(static_cast<unsigned>(steps + 32));
-  }
-  return differs ? text : "";
-}
-
 void write_text(std::FILE* out, const std::string& text) {
-  for (std::size_t i = 0; i < text.size(); i += 72) {
-    std::string line = text.substr(i, 72);
-    // No trigraphs.
-    for (std::size_t k = 0; (k = line.find("??", k)) != std::string::npos;) {
-      line.insert(++k, "\"\"");
-    }
-    std::fprintf(out, "    \"%s\"\n", line.c_str());
-  }
+  bench::print_text(out, text);
   std::fprintf(out, "    \"\",\n");
 }
 
@@ -278,12 +238,12 @@ void Trainer::write(std::FILE* out) const {
   write_text(out, records);
   std::string own;
   for (std::size_t i = 0; part.vectors && keep && i < vectors.size(); ++i) {
-    own += vector_text(i);
+    own += bench::vector_text(i, vectors[i], turn_weights[i % 2]);
   }
   write_text(out, own);
   std::fprintf(out, "    {{\n");
   for (const std::size_t node : {0U, 1U}) {
-    write_weights(out, turn_weights[node], turn_votes[node]);
+    write_weights(out, turn_weights[node].weights, turn_weights[node].votes);
   }
   std::fprintf(out, "    }},\n    {{\n");
   write_weights(out, start_weights, start_votes);
@@ -310,16 +270,11 @@ bool is_clean(const Bitmap& ink) {
 }
 
 bool learn_file(const char* path, Trainer& trainer) {
-  Result<std::vector<std::uint8_t>> bytes =
-      read_file(path, std::uint64_t{1} << 32);
-  if (!bytes) return false;
-  Result<RasterReader> reader = RasterReader::open(*std::move(bytes), {});
-  if (!reader) return false;
-  Result<RasterPage> page = reader->read(0);
-  if (!page) return false;
-  if (&trainer.start() == &warm::kClean && !is_clean(page->ink)) return true;
+  const std::optional<Bitmap> ink = bench::first_page(path);
+  if (!ink) return false;
+  if (&trainer.start() == &warm::kClean && !is_clean(*ink)) return true;
   return static_cast<bool>(codec::encode_and_show(
-      page->ink, trainer.start(),
+      *ink, trainer.start(),
       [&](const TurnModel& turns, const StartModel& starts) {
         trainer.learn(turns, starts);
       }));
