@@ -1,6 +1,7 @@
 """The coders that compare.py sets side by side, as whole processes.
 
-Each reads a PBM file and writes its own, and turns that back into PBM.
+Each reads a PBM file, or the same page as PGM, and writes its own, and turns
+that back into PNM.
 """
 
 import os
@@ -10,31 +11,49 @@ import time
 
 
 class Coder:
-    """`encode` and `decode` are command templates with {pbm}, {file}, {out},
-    {rows}; a decoder without {out} writes to its standard output. `size`,
-    if given, makes the file whose bytes count instead of encode's."""
+    """`encode` and `decode` are command templates with {pbm} or {pgm}, {file},
+    {out}, {rows}; one without {file} or {out} writes to its standard output.
+    `size`, if given, makes the file whose bytes count instead of encode's.
+    `after` shrinks the file further and is not timed. `once`: so slow that one
+    round must do. Pages with a longer side than `side` are left out."""
 
-    def __init__(self, name, suffix, encode, decode, size=None, after=None):
+    def __init__(self, name, suffix, encode, decode, size=None, after=None,
+                 once=False, side=None):
         self.name = name
         self.suffix = suffix
         self.encode = encode
         self.decode = decode
         self.size = size
-        self.after = after  # shrinks the file further; not timed
+        self.after = after
+        self.once = once
+        self.side = side
 
     def missing(self):
         """Programs that are not there."""
         wanted = [self.encode[0]] + ([self.decode[0]] if self.decode else [])
         return [w for w in wanted if not shutil.which(w)]
 
+    def takes(self, page):
+        return not self.side or max(page.width, page.height) <= self.side
+
+    @property
+    def reads_grey(self):
+        return "{pgm}" in self.encode
+
+
+def unstep_coder(name, unstep, *options, once=False):
+    return Coder(name, ".ustp",
+                 [unstep, "compress", "--no-verify", "--jobs", "1", "--force",
+                  *options, "{pbm}", "-o", "{file}"],
+                 [unstep, "decompress", "--jobs", "1", "--force", "--to",
+                  "pbm", "{file}", "-o", "{out}"], once=once)
+
 
 def all_coders(unstep):
     coders = [
-        Coder("unstep", ".ustp",
-              [unstep, "compress", "--no-verify", "--jobs", "1", "--force",
-               "{pbm}", "-o", "{file}"],
-              [unstep, "decompress", "--jobs", "1", "--force", "--to", "pbm",
-               "{file}", "-o", "{out}"]),
+        unstep_coder("unstep", unstep),
+        unstep_coder("fast", unstep, "--effort", "fast"),
+        unstep_coder("max", unstep, "--effort", "max", once=True),
         Coder("jbig1", ".jbg", ["pbmtojbg", "-q", "{pbm}", "{file}"],
               ["jbgtopbm", "{file}", "{out}"],
               size=["pbmtojbg", "-q", "-s", "1000000", "{pbm}", "{file}"]),
@@ -46,6 +65,16 @@ def all_coders(unstep):
         Coder("png", ".png", ["pnmtopng", "-compression", "9", "{pbm}"],
               ["pngtopnm", "{file}"],
               after=["optipng", "-quiet", "-o1", "{file}"]),
+        Coder("webp", ".webp",
+              ["cwebp", "-quiet", "-lossless", "-z", "6", "{pgm}", "-o",
+               "{file}"],
+              ["dwebp", "-quiet", "{file}", "-ppm", "-o", "{out}"],
+              side=16383),
+        Coder("jxl", ".jxl",
+              ["cjxl", "--quiet", "-d", "0", "--num_threads=0", "{pgm}",
+               "{file}"],
+              ["djxl", "--quiet", "--num_threads=0", "{file}", "{out}"],
+              once=True),
     ]
     if shutil.which("jbig2"):
         decode = None
@@ -59,8 +88,9 @@ def run(template, **names):
     """Runs a command; its processor seconds (user + system, all of it)."""
     command = [part.format(**names) for part in template]
     # A program that is not told where to write writes to stdout.
-    target = names["file"] if "{pbm}" in template else names["out"]
-    to_file = "{file}" if "{pbm}" in template else "{out}"
+    encodes = "{pbm}" in template or "{pgm}" in template
+    target = names["file"] if encodes else names["out"]
+    to_file = "{file}" if encodes else "{out}"
     stdout = subprocess.DEVNULL
     if to_file not in template:
         stdout = open(target, "wb")

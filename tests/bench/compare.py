@@ -7,7 +7,8 @@ Sub-folders are sets. Every page becomes a PBM; every coder encodes it to its
 file and decodes it to PBM again, and the result is compared with the page.
 Bytes are whole files. Speeds are the processor time of whole processes (one
 thread, PBM on both sides, no check after encoding), medians of --runs rounds
-in which the coders take turns, on pages of at least 1 Mpx.
+in which the coders take turns, on pages of at least 1 Mpx. The slowest coders
+take part in one round only. "fast" and "max" are unstep's other efforts.
 
   compare.py samples
   compare.py --unstep build/release/cli/unstep --json out.json drawings/
@@ -32,6 +33,7 @@ import images
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
 TIMED_PIXELS = 1000000
+OWN = ("unstep", "fast", "max")  # the default and the other efforts
 
 
 def find_unstep():
@@ -47,14 +49,22 @@ def measure_page(page, coders, runs, folder):
     pbm = os.path.join(folder, "page.pbm")
     with open(pbm, "wb") as out:
         out.write(page.file())
+    pgm = os.path.join(folder, "page.pgm")
+    coders = [c for c in coders if c.takes(page)]
+    if any(c.reads_grey for c in coders):
+        with open(pgm, "wb") as out:
+            out.write(page.grey_file())
     timed = page.pixels >= TIMED_PIXELS
     times = {c.name: ([], []) for c in coders}
     result = {}
     for turn in range(runs if timed else 1):
         for coder in coders:
-            names = {"pbm": pbm, "rows": page.height,
+            if coder.once and turn > 0:
+                continue
+            out = coder.name + (".out.pgm" if coder.reads_grey else ".out.pbm")
+            names = {"pbm": pbm, "pgm": pgm, "rows": page.height,
                      "file": os.path.join(folder, "page" + coder.suffix),
-                     "out": os.path.join(folder, coder.name + ".out.pbm")}
+                     "out": os.path.join(folder, out)}
             encode = coders_module.run(coder.encode, **names)[0]
             times[coder.name][0].append(encode)
             if coder.decode:
@@ -140,7 +150,7 @@ def sums(pages, names):
             if timed:
                 spent = sum(t for _, t in timed)
                 row[speed][name] = sum(n for n, _ in timed) / spent / 1e6
-    peers = {k: v for k, v in row["bytes"].items() if k != "unstep"}
+    peers = {k: v for k, v in row["bytes"].items() if k not in OWN}
     if peers:
         row["best"] = min(peers, key=peers.get)
         row["ratio"] = row["bytes"]["unstep"] / peers[row["best"]]
@@ -205,7 +215,7 @@ def circumstances(coders, unstep):
         "compiler": said(["c++", "--version"]).split("\n")[0],
         "peers": sorted({v for v in (
             coders_module.version_of(c.encode[0])
-            for c in coders if c.name != "unstep") if v}),
+            for c in coders if c.name not in OWN) if v}),
     }
 
 

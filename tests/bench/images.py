@@ -25,6 +25,17 @@ class Pbm:
     def file(self):
         return b"P4\n%d %d\n" % (self.width, self.height) + self.rows
 
+    def grey_file(self):
+        """The same as PGM, ink black."""
+        stride = (self.width + 7) // 8
+        grey = bytearray(b"P5\n%d %d\n255\n" % (self.width, self.height))
+        for y in range(self.height):
+            row = int.from_bytes(self.rows[y * stride:(y + 1) * stride], "big")
+            bits = bin(row | 1 << stride * 8)[3:3 + self.width]
+            grey += bits.encode().translate(
+                bytes([0]) * 48 + b"\xff\0" + bytes([0]) * 206)
+        return bytes(grey)
+
     def same_ink(self, other):
         """Equal size and pixels; the padding of each row does not count."""
         if (self.width, self.height) != (other.width, other.height):
@@ -46,7 +57,8 @@ class Pbm:
 
 
 def parse_pnm(data):
-    """The images of a concatenated P4 / two-valued P5 stream, as Pbm."""
+    """The images of a concatenated stream of P4, and of P5 and P6 that are
+    black and white, as Pbm."""
     pages = []
     at = 0
     while at < len(data):
@@ -58,16 +70,20 @@ def parse_pnm(data):
             size = (width + 7) // 8 * height
             pages.append(Pbm(width, height, data[at + 1:at + 1 + size]))
             at += 1 + size
-        elif magic == b"P5":
+        elif magic in (b"P5", b"P6"):
             maxval, at = _token(data, at)
-            size = width * height
-            grey = data[at + 1:at + 1 + size]
+            samples = 3 if magic == b"P6" else 1
+            size = width * height * samples
+            values = data[at + 1:at + 1 + size]
+            grey = values[::samples]
+            if any(values[k::samples] != grey for k in range(1, samples)):
+                raise ValueError("colour")
             if int(maxval) > 255 or set(grey) - {0, int(maxval)}:
                 raise ValueError("more than two values")
             pages.append(_pack(width, height, grey))
             at += 1 + size
         else:
-            raise ValueError("colour or unknown kind of image")
+            raise ValueError("unknown kind of image")
     return pages
 
 

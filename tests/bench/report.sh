@@ -1,11 +1,11 @@
 #!/bin/bash
-# Measures everything and rewrites the results in docs/benchmarks.md and the
-# table that opens README.md.
+# Measures unstep beside its peers and rewrites the section "Results" of
+# docs/benchmarks.md and the table that opens README.md.
 #
 # usage: tests/bench/report.sh FOLDER [option of compare.py]...
 #
-# FOLDER holds the sets of images as sub-folders. Takes a quarter of an hour;
-# the tables are also left in build/release/bench as Markdown and JSON.
+# FOLDER holds the sets of images as sub-folders. Takes an hour, most of
+# it for JPEG XL; the tables are also left in build/release/bench as Markdown and JSON.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 if [ $# -lt 1 ] || [ ! -d "$1" ]; then
@@ -35,15 +35,18 @@ missed=0
 tests/bench/limits.py --json "$results/limits.json" >"$results/limits.md" ||
   missed=1
 
-sed '/^## Results$/q' docs/benchmarks.md >"$results/benchmarks.md"
 {
+  sed '/^## Results$/q' docs/benchmarks.md
   echo
   cat "$results/compare.md"
   printf '\n### The library in one process\n\n'
   cat "$results/library.md"
   printf '\n### Memory and fixed costs of the program\n\n'
   cat "$results/limits.md"
-} >>"$results/benchmarks.md"
+  echo
+  # What follows was measured by other programs.
+  sed '1,/^## Results$/d' docs/benchmarks.md | sed -n '/^## /,$p'
+} >"$results/benchmarks.md"
 cp "$results/benchmarks.md" docs/benchmarks.md
 if [ $missed = 1 ]; then
   echo "a limit was missed, see docs/benchmarks.md" >&2
