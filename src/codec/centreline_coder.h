@@ -22,6 +22,10 @@ inline constexpr std::uint8_t kCentrelinesMixed = 0;
 inline constexpr std::uint8_t kCentrelinesDeep = 1;
 inline constexpr std::uint8_t kCentrelineTable = 1;
 
+[[nodiscard]] constexpr bool is_centreline_revision(std::uint8_t revision) {
+  return revision <= kCentrelinesDeep;
+}
+
 /// Pixels of branches that may wait at once: a bound of the format, far above
 /// what drawings of lines need.
 inline constexpr std::size_t kMostWaiting = std::size_t{1} << 14;

@@ -27,7 +27,7 @@ bool is_shapes(const CoderName& name) {
 
 bool is_centrelines(const CoderName& name) {
   return name.coder == kCoderCentrelines && name.table == kCentrelineTable &&
-         name.revision <= kCentrelinesDeep;
+         is_centreline_revision(name.revision);
 }
 
 bool is_pixels(const CoderName& name) {

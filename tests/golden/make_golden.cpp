@@ -8,12 +8,16 @@
 #include "codec/byte_writer.h"
 #include "corrupt/file_surgery.h"
 #include "golden/golden_text.h"
+#include "golden/ink_block.h"
 #include "unit/container_testing.h"
 #include "unit/path_testing.h"
+#include "unstep/formats.h"
 
 /// make_golden FOLDER: the golden files of coder 0 and of the container.
 /// make_golden --paths FOLDER: those of paths.
 /// make_golden --program FOLDER NAME: that of the text valid/NAME.ngc.
+/// make_golden --ink FOLDER NAME CODER.REVISION.TABLE...: that of the page
+/// valid/NAME.pbm, with a block for each coder.
 /// make_golden --describe FILE.ustp: the text of a file's header.
 namespace unstep::testing {
 namespace {
@@ -266,6 +270,41 @@ int write_program(const fs::path& folder, const std::string& name) {
   return 0;
 }
 
+/// The page of NAME.pbm there, which is kept; blocks of as many rows each.
+int write_ink(const fs::path& folder, const std::string& name,
+              std::span<char* const> coders) {
+  auto bytes =
+      read_file((folder / "valid" / (name + ".pbm")).string(), 1U << 24);
+  if (!bytes) return 1;
+  auto reader = RasterReader::open(*std::move(bytes), {});
+  if (!reader) return 1;
+  const Result<RasterPage> raster = reader->read(0);
+  if (!raster) return 1;
+  const Bitmap& ink = raster->ink;
+  const auto bands = static_cast<std::int32_t>(coders.size());
+  codec::PageParts page = stored_page(ink, bands);
+  for (std::size_t i = 0; i < coders.size(); ++i) {
+    unsigned coder = 0;
+    unsigned revision = 0;
+    unsigned table = 0;
+    if (std::sscanf(coders[i], "%u.%u.%u", &coder, &revision, &table) != 3)
+      return 2;
+    codec::BlockParts& block = page.blocks[i];
+    block.encoded.name = {static_cast<std::uint8_t>(coder),
+                          static_cast<std::uint8_t>(revision),
+                          static_cast<std::uint8_t>(table)};
+    Result<Bytes> payload =
+        encode_rows(ink, block.first_row, block.rows, block.encoded.name);
+    if (!payload) return 1;
+    block.encoded.payload = *std::move(payload);
+  }
+  const std::vector pages{page};
+  write_valid(folder, name,
+              codec::fits_short_form(pages) ? *codec::short_form(page, {})
+                                            : *codec::block_form(pages, {}));
+  return 0;
+}
+
 int describe(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   const Bytes file{std::istreambuf_iterator<char>(in), {}};
@@ -292,10 +331,15 @@ int main(int argc, char** argv) {
   if (argc == 4 && std::string(argv[1]) == "--program") {
     return unstep::testing::write_program(argv[2], argv[3]);
   }
+  if (argc >= 5 && std::string(argv[1]) == "--ink") {
+    return unstep::testing::write_ink(
+        argv[2], argv[3], {argv + 4, static_cast<std::size_t>(argc - 4)});
+  }
   if (argc != 2 || argv[1][0] == '-') {
     std::fprintf(stderr,
                  "usage: make_golden FOLDER | --paths FOLDER | "
                  "--program FOLDER NAME | "
+                 "--ink FOLDER NAME CODER.REVISION.TABLE... | "
                  "--describe FILE.ustp\n");
     return 2;
   }
