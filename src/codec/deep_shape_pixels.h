@@ -30,6 +30,8 @@ class DeepShapePixels {
            Told::memory(table_bits, kToldSizes);
   }
 
+  void skip() {}
+
   template <class Coder, class Order>
   bool code(Coder& coder, bool truth, std::int32_t x,
             const typename Order::Near& n, const Order& order) {

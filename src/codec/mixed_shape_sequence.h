@@ -29,11 +29,13 @@ class MixedShapeSequence
   template <class Coder>
   bool decide(Coder& coder, Field field, std::uint32_t node, bool bit) {
     PixelMixer::Contexts contexts;
-    const std::uint64_t name = (std::uint64_t{node} + 1) * kGolden;
+    const std::uint64_t name = (std::uint64_t{node} / 2 + 1) * kGolden;
     for (std::size_t i = 0; i < contexts.size(); ++i) {
       contexts[i] = values_[i] ^ name;
     }
-    return mixer_.code(coder, bit, contexts,
+    PixelMixer::Places places;
+    mixer_.find(contexts, places);
+    return mixer_.code(coder, bit, places, node % 2 != 0,
                        {field * kNodes + std::min(node, kNodes - 1),
                         field * std::size_t{3} + kind()});
   }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 #include <vector>
 
@@ -66,10 +67,27 @@ class PixelMixer {
     return std::uint64_t{kContexts * sizeof(Slot)} << table_bits;
   }
 
+  /// Where the slots of a decision are. Of each context there are two side by
+  /// side, one for each value of the bit before: they can be found, and their
+  /// memory asked for, while that bit is not known yet.
+  struct Places {
+    alignas(16) std::array<std::uint16_t, kContexts> checks{};
+    std::array<std::uint32_t, kContexts> slots{};
+  };
+  void find(const Contexts& contexts, Places& places) const {
+    for (std::size_t i = 0; i < kContexts; ++i) {
+      const std::uint64_t hash = contexts[i] * kGolden;
+      const std::uint64_t pair = hash >> (65 - bits_);
+      places.slots[i] = static_cast<std::uint32_t>((i << bits_) + 2 * pair);
+      places.checks[i] = static_cast<std::uint16_t>(hash >> 40 & 0xff);
+      __builtin_prefetch(&slots_[places.slots[i]], 1);
+    }
+  }
+
   template <class Coder>
-  bool code(Coder& coder, bool bit, const Contexts& contexts,
+  bool code(Coder& coder, bool bit, const Places& places, bool before,
             const Chosen& chosen) {
-    recall(contexts);
+    recall(places, before);
     const int x = mixer_.mix(chosen);
     const int p = (entropy::squash(x) + refiner_.refine(x, chosen[0])) / 2;
     const bool coded = coder.code(bit, std::clamp(p, 24, 65512));
@@ -89,15 +107,13 @@ class PixelMixer {
     std::uint8_t check = 0;
   };
 
-  /// Finds the slots: all are asked for before the first is used, and no step
-  /// waits for what it holds, so that their memory arrives together.
-  void recall(const Contexts& contexts) {
+  /// No step waits for what a slot holds, so that their memory arrives
+  /// together.
+  void recall(const Places& places, bool before) {
     for (std::size_t i = 0; i < kContexts; ++i) {
-      const std::uint64_t hash = contexts[i] * kGolden;
-      active_[i] = &slots_[(i << bits_) + (hash >> (64 - bits_))];
-      checks_[i] = static_cast<std::uint16_t>(hash >> 40 & 0xff);
-      __builtin_prefetch(active_[i], 1);
+      active_[i] = &slots_[places.slots[i] + (before ? 1U : 0U)];
     }
+    std::memcpy(checks_.data(), places.checks.data(), sizeof checks_);
     load();
     auto& inputs = mixer_.inputs();
     for (std::size_t i = 0; i < kContexts; ++i) {

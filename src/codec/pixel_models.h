@@ -61,6 +61,8 @@ class BlendedPixels {
     return 2 * PixelTable::memory(kBits);
   }
 
+  void skip() {}
+
   template <class Coder>
   bool code(Coder& coder, bool truth, const PixelWindow& window,
             std::uint64_t /*near*/, int near_p) {
@@ -90,6 +92,8 @@ class MixedPixels {
   static constexpr std::uint64_t memory() {
     return kContexts * PixelTable::memory(kBits);
   }
+
+  void skip() {}
 
   template <class Coder>
   bool code(Coder& coder, bool truth, const PixelWindow& window,
@@ -126,38 +130,58 @@ class MixedPixels {
   Mixer mixer_{{512}, std::array<Mixer::Inputs, 1>{initial()}};
 };
 
-/// Eight contexts of up to 64 pixels, mixed and refined: for dither.
+/// Eight contexts of up to 64 pixels, mixed and refined: for dither and scans.
+/// While a pixel is coded the slots of the next one are on their way.
 class DeepPixels {
  public:
-  static constexpr int kBits = 15;
-  static constexpr unsigned kRare = 3000U;
+  static constexpr int kBits = 17;
+  static constexpr unsigned kRare = 3600U;
 
   static std::uint64_t memory() {
     return PixelMixer::memory(kBits) + (std::uint64_t{1} << 18);
   }
 
+  /// The next pixel that code() gets is not the one after the last.
+  void skip() { is_found_ = false; }
+
   template <class Coder>
   bool code(Coder& coder, bool truth, const PixelWindow& window,
-            std::uint64_t near, int /*near_p*/) {
-    const PixelMixer::Contexts contexts{
-        near,
-        pixel_contexts::small(window),
-        pixel_contexts::middle(window),
-        pixel_contexts::wide(window),
-        window.before(3) | window.cut(1, 2, 6) << 3 |
-            window.cut(2, 2, 6) << 12 | window.cut(3, 2, 5) << 21,
-        window.before(1) | window.cut(1, 1, 3) << 1 | window.cut(2, 1, 1) << 6 |
-            window.cut(3, 1, 1) << 9 | window.cut(4, 1, 1) << 12,
-        window.before(7) | window.cut(1, 5, 1) << 7 | window.cut(2, 4, 0) << 14,
-        window.before(16) | window.cut(1, 8, 11) << 16};
-    return mixer_.code(coder, truth, contexts,
+            std::uint64_t /*near*/, int /*near_p*/) {
+    const bool before = window.before(1) != 0;
+    if (!is_found_) find(window, places_[turn_]);
+    const PixelMixer::Places& places = places_[turn_];
+    turn_ ^= 1U;
+    PixelWindow next = window;
+    next.move(false);
+    find(next, places_[turn_]);
+    is_found_ = true;
+    return mixer_.code(coder, truth, places, before,
                        {window.before(3) | window.cut(1, 2, 3) << 3,
                         window.before(2) | window.cut(1, 1, 1) << 2 |
                             window.cut(2, 0, 1) << 5});
   }
 
  private:
+  /// Of the middle of a window, whatever is just before it.
+  void find(PixelWindow window, PixelMixer::Places& places) const {
+    window.row[0] &= ~(std::uint64_t{1} << 32);
+    mixer_.find({window.near(), pixel_contexts::small(window),
+                 pixel_contexts::middle(window), pixel_contexts::wide(window),
+                 window.before(3) | window.cut(1, 2, 6) << 3 |
+                     window.cut(2, 2, 6) << 12 | window.cut(3, 2, 5) << 21,
+                 window.before(1) | window.cut(1, 1, 3) << 1 |
+                     window.cut(2, 1, 1) << 6 | window.cut(3, 1, 1) << 9 |
+                     window.cut(4, 1, 1) << 12,
+                 window.before(7) | window.cut(1, 5, 1) << 7 |
+                     window.cut(2, 4, 0) << 14,
+                 window.before(16) | window.cut(1, 8, 11) << 16},
+                places);
+  }
+
   PixelMixer mixer_{kBits, {512, 128}};
+  std::array<PixelMixer::Places, 2> places_;
+  unsigned turn_ = 0;
+  bool is_found_ = false;
 };
 
 }  // namespace unstep::codec

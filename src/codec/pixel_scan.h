@@ -83,6 +83,7 @@ class PixelScan {
     const std::int32_t start = x;
     auto& coder = side_.coder();
     bool run = false;
+    model_.skip();
     for (; x < end; ++x) {
       if ((edges >> 63) == 0 && quiet(window)) {
         run = true;
@@ -115,6 +116,7 @@ class PixelScan {
           surprise ? rare + ((65535 - rare) >> kGateRate)
                    : rare - ((rare + (1U << kGateRate) - 1) >> kGateRate);
       gate.p = static_cast<std::uint16_t>(now ^ flip);
+      model_.skip();
       return likely != surprise;
     }
     const bool bit = model_.code(coder, truth, window, near, gate.p);

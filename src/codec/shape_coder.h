@@ -32,14 +32,14 @@ inline constexpr std::uint8_t kShapesDeep = 1;
 }
 
 /// log2 of the slots per context of the pixels' models, a rule of the size
-/// only. More than the second caches hold would cost more time than it saves
-/// bytes.
+/// only. They may be more than the second caches hold: a pixel's are on their
+/// way while the one before is coded.
 [[nodiscard]] constexpr int shape_table_bits(std::uint8_t revision,
                                              std::int32_t width,
                                              std::int32_t rows) {
   const bool small = std::int64_t{width} * rows < 1'000'000;
   if (revision == kShapesDeep) return small ? 16 : 18;
-  return small ? 14 : 15;
+  return small ? 14 : 17;
 }
 
 /// The shapes pass for one half of the work, the contours after them for the

@@ -58,7 +58,7 @@ class ShapePixelOrder {
   void code(Coder& coder, const Glyph* truth, std::int32_t width,
             std::int32_t height, ShapeCanvas& canvas,
             const ShapeReference* reference) {
-    errors_ = 0;
+    errors_ = errors_before_ = 0;
     reference_ = reference;
     refers_ = reference != nullptr;
     for (std::int32_t y = 0; y < height; ++y) {
@@ -75,9 +75,11 @@ class ShapePixelOrder {
       place_ = std::min<std::uint64_t>(static_cast<std::uint64_t>(y), 31) |
                static_cast<std::uint64_t>(std::min(height - 1 - y, 31)) << 5;
       look(0);
+      model_.skip();
       for (std::int32_t x = 0; x < width;) {
         const std::int32_t end = quiet_end(x, width);
         if (end > x) {
+          model_.skip();
           x = code_run(coder, truth, x, end, y, end == width, canvas);
           if (x - first_ < kLook) {
             seen_[0] = view(rows_[0], first_);
@@ -119,11 +121,10 @@ class ShapePixelOrder {
   [[nodiscard]] bool refers() const { return refers_; }
   [[nodiscard]] std::int32_t y() const { return y_; }
   /// 0..3: how often the reference was wrong lately.
-  [[nodiscard]] unsigned quality() const {
-    return errors_ < 1024    ? 0U
-           : errors_ < 4096  ? 1U
-           : errors_ < 10240 ? 2U
-                             : 3U;
+  [[nodiscard]] unsigned quality() const { return quality_of(errors_); }
+  /// The same before the last pixel that was looked at.
+  [[nodiscard]] unsigned quality_before() const {
+    return quality_of(errors_before_);
   }
   /// Distances from the sides of the shape, at most 31: top, bottom, left and
   /// right, five bits each.
@@ -249,6 +250,7 @@ class ShapePixelOrder {
     if (gate.n >= kGateAge && rare < Model::kGateRare) {
       bit = coder.code(truth != likely, rare + 4) != likely;
       gate.update(bit);
+      model_.skip();
       if (bit == likely) return bit;
     } else {
       bit = model_.code(coder, truth, x,
@@ -256,8 +258,13 @@ class ShapePixelOrder {
       gate.update(bit);
     }
     const bool expected = (middle >> 31 & 1) != 0;
+    errors_before_ = errors_;
     errors_ += (bit != expected ? 4096 : 0) - errors_ / 16;
     return bit;
+  }
+
+  static unsigned quality_of(std::int32_t errors) {
+    return errors < 1024 ? 0U : errors < 4096 ? 1U : errors < 10240 ? 2U : 3U;
   }
 
   static constexpr std::size_t middle(int k) {
@@ -268,6 +275,7 @@ class ShapePixelOrder {
   std::vector<entropy::Counter> gates_;
   std::vector<entropy::Counter> quiet_;
   std::int32_t errors_ = 0;
+  std::int32_t errors_before_ = 0;
   bool refers_ = false;
   const ShapeReference* reference_ = nullptr;
   std::int32_t y_ = 0;
@@ -305,45 +313,24 @@ class MixedShapePixels {
             const typename Order::Near& n, const Order& order) {
     const auto cut = Order::cut;
     const auto before = Order::before;
-    const std::uint64_t place = order.place(x);
-    const std::uint64_t r3 = order.above(3, x);
-    const std::uint64_t r4 = order.above(4, x);
-    PixelMixer::Contexts c;
-    c[0] = before(n.r0, 6) | cut(n.r1, 4, 4) << 6 | cut(n.r2, 3, 3) << 15 |
-           cut(r3, 2, 2) << 22;
-    c[1] = before(n.r0, 8) | cut(n.r1, 6, 6) << 8 | cut(n.r2, 5, 5) << 21 |
-           cut(r3, 4, 4) << 32 | cut(r4, 2, 2) << 41;
-    c[2] = before(n.r0, 3) | cut(n.r1, 2, 6) << 3 | cut(n.r2, 2, 6) << 12 |
-           cut(r3, 2, 5) << 21;
-    c[3] = before(n.r0, 1) | cut(n.r1, 1, 3) << 1 | cut(n.r2, 1, 1) << 6 |
-           cut(r3, 1, 1) << 9 | cut(r4, 1, 1) << 12 |
-           cut(order.above(5, x), 1, 1) << 15 |
-           cut(order.above(6, x), 1, 1) << 18;
+    const bool last = (n.corner & 1) != 0;
+    if (!is_found_) find(x, order.quality_before(), order, places_[turn_]);
+    const PixelMixer::Places& places = places_[turn_];
+    turn_ ^= 1U;
+    find(x + 1, order.quality(), order, places_[turn_]);
+    is_found_ = true;
     PixelMixer::Chosen chosen;
     if (order.refers()) {
-      const std::uint64_t quality = order.quality();
-      const std::uint64_t kind = 1ULL << 60 | quality << 56;
-      const std::uint64_t wide = cut(order.matched(-2, x), 1, 1) |
-                                 cut(order.matched(-1, x), 2, 2) << 3 |
-                                 cut(order.matched(0, x), 2, 2) << 8 |
-                                 cut(order.matched(1, x), 2, 2) << 13 |
-                                 cut(order.matched(2, x), 1, 1) << 18;
-      c[4] = kind | n.block | n.corner << 9;
-      c[5] = kind | wide | (n.corner & 1) << 24 | (n.r1 >> 31 & 1) << 25;
-      c[6] = kind | n.block | n.near << 9;
-      c[7] = kind | n.block | place << 9;
-      chosen = {512 + n.block, 128 + (n.corner | quality << 5)};
+      chosen = {512 + n.block, 128 + (n.corner | order.quality() << 5)};
     } else {
-      c[4] = before(n.r0, 7) | cut(n.r1, 5, 1) << 7;
-      c[5] = cut(n.r1, 1, 1) | cut(n.r2, 1, 1) << 3 | cut(r3, 1, 1) << 6 |
-             place << 9;
-      c[6] = n.corner | place << 5;
-      c[7] = n.near;
       chosen = {before(n.r0, 3) | cut(n.r1, 2, 3) << 3,
                 n.corner | (n.r2 >> 31 & 3) << 5};
     }
-    return mixer_.code(coder, truth, c, chosen);
+    return mixer_.code(coder, truth, places, last, chosen);
   }
+
+  /// The next pixel that code() gets is not the one after the last.
+  void skip() { is_found_ = false; }
 
   /// For training a warm start.
   [[nodiscard]] const PixelMixer::Mixer& mixer() const {
@@ -351,7 +338,60 @@ class MixedShapePixels {
   }
 
  private:
+  /// Whatever the pixel before is.
+  template <class Order>
+  void find(std::int32_t x, std::uint64_t quality, const Order& order,
+            PixelMixer::Places& places) const {
+    const auto cut = Order::cut;
+    const auto before = Order::before;
+    const std::uint64_t r0 = order.above(0, x) & ~(std::uint64_t{1} << 32);
+    const std::uint64_t r1 = order.above(1, x);
+    const std::uint64_t r2 = order.above(2, x);
+    const std::uint64_t r3 = order.above(3, x);
+    const std::uint64_t r4 = order.above(4, x);
+    const std::uint64_t corner = before(r0, 2) | cut(r1, 1, 1) << 2;
+    const std::uint64_t near =
+        before(r0, 4) | cut(r1, 3, 3) << 4 | cut(r2, 2, 2) << 11;
+    const std::uint64_t place = order.place(x);
+    PixelMixer::Contexts c;
+    c[0] = before(r0, 6) | cut(r1, 4, 4) << 6 | cut(r2, 3, 3) << 15 |
+           cut(r3, 2, 2) << 22;
+    c[1] = before(r0, 8) | cut(r1, 6, 6) << 8 | cut(r2, 5, 5) << 21 |
+           cut(r3, 4, 4) << 32 | cut(r4, 2, 2) << 41;
+    c[2] = before(r0, 3) | cut(r1, 2, 6) << 3 | cut(r2, 2, 6) << 12 |
+           cut(r3, 2, 5) << 21;
+    c[3] = before(r0, 1) | cut(r1, 1, 3) << 1 | cut(r2, 1, 1) << 6 |
+           cut(r3, 1, 1) << 9 | cut(r4, 1, 1) << 12 |
+           cut(order.above(5, x), 1, 1) << 15 |
+           cut(order.above(6, x), 1, 1) << 18;
+    if (order.refers()) {
+      const std::uint64_t kind = 1ULL << 60 | quality << 56;
+      const std::uint64_t block = cut(order.matched(0, x), 1, 1) |
+                                  cut(order.matched(-1, x), 1, 1) << 3 |
+                                  cut(order.matched(1, x), 1, 1) << 6;
+      const std::uint64_t wide = cut(order.matched(-2, x), 1, 1) |
+                                 cut(order.matched(-1, x), 2, 2) << 3 |
+                                 cut(order.matched(0, x), 2, 2) << 8 |
+                                 cut(order.matched(1, x), 2, 2) << 13 |
+                                 cut(order.matched(2, x), 1, 1) << 18;
+      c[4] = kind | block | corner << 9;
+      c[5] = kind | wide | (r1 >> 31 & 1) << 25;
+      c[6] = kind | block | near << 9;
+      c[7] = kind | block | place << 9;
+    } else {
+      c[4] = before(r0, 7) | cut(r1, 5, 1) << 7;
+      c[5] =
+          cut(r1, 1, 1) | cut(r2, 1, 1) << 3 | cut(r3, 1, 1) << 6 | place << 9;
+      c[6] = corner | place << 5;
+      c[7] = near;
+    }
+    mixer_.find(c, places);
+  }
+
   PixelMixer mixer_;
+  std::array<PixelMixer::Places, 2> places_;
+  unsigned turn_ = 0;
+  bool is_found_ = false;
 };
 
 using ShapePixels = ShapePixelOrder<MixedShapePixels>;

@@ -4,7 +4,8 @@ from shape_weights import begin
 
 
 class SlotMixer:
-    """Eight contexts of 2^b slots that are checked, mixed and refined."""
+    """Eight contexts of 2^b slots in pairs that are checked, mixed and
+    refined."""
 
     def __init__(self, b, vectors, name):
         self.b, self.slots = b, [{} for _ in range(8)]
@@ -12,12 +13,12 @@ class SlotMixer:
         begin(self.mixer, name)
         self.refiner = Refiner()
 
-    def decode(self, coder, values, vectors):
+    def decode(self, coder, values, t, vectors):
         counters, places = [], []
         for table, v in zip(self.slots, values):
             hashed = v * K & M64
             check = hashed >> 40 & 255
-            place = top(self.b, hashed)
+            place = 2 * top(self.b - 1, hashed) + t
             old, p, n = table.get(place, (0, 32768, 0))
             counters.append((p, n) if old == check else (32768, 0))
             places.append((table, place, check))
@@ -39,12 +40,13 @@ class Pixels:
     def __init__(self, coder, size):
         self.coder = coder
         self.runs, self.gates = {}, {}
-        self.mixer = SlotMixer(14 if size < 1000000 else 15, (1024, 256),
+        self.mixer = SlotMixer(14 if size < 1000000 else 17, (1024, 256),
                                "kPixels")
 
     def shape(self, w, h, R, dx, dy):
         """Rows of pixels; R is the shape that it refers to, or None."""
         self.w, self.h, self.R, self.e = w, h, R, 0
+        self.e_before = 0
         if R:
             more = len(R[0]) - w, len(R) - h
             self.ox, self.oy = (d + (m // 2 if m >= 0 else -(-m // 2))
@@ -138,10 +140,29 @@ class Pixels:
             bit = self.models(corner, near, block)
             update(gate, bit)
         if self.R:
+            self.e_before = self.e
             self.e += -(self.e // 16) + (4096 if bit != Q(0, 0, 0) else 0)
         return bit
 
+    @staticmethod
+    def quality(e):
+        return sum(e >= limit for limit in (1024, 4096, 10240))
+
     def models(self, corner, near, block):
+        P, t = self.P, self.P(-1, -1, 0)
+        if self.R:
+            vectors = 512 + block, 128 + (corner | self.quality(self.e) << 5)
+        else:
+            vectors = (P(-3, -1, 0) | P(-2, 3, -1) << 3,
+                       corner | P(-1, 0, -2) << 5)
+        if t:
+            self.known[self.y][self.x - 1] = 0
+        values = self.contexts(corner & ~1, near & ~1, block)
+        if t:
+            self.known[self.y][self.x - 1] = 1
+        return self.mixer.decode(self.coder, values, t, vectors)
+
+    def contexts(self, corner, near, block):
         P, Q, x, y = self.P, self.Q, self.x, self.y
         place = (min(y, 31) | min(self.h - 1 - y, 31) << 5 | min(x, 31) << 10
                  | min(self.w - x, 31) << 15)
@@ -156,23 +177,15 @@ class Pixels:
             | P(-1, 1, -3) << 9 | P(-1, 1, -4) << 12 | P(-1, 1, -5) << 15
             | P(-1, 1, -6) << 18]
         if self.R:
-            q = sum(self.e >= limit for limit in (1024, 4096, 10240))
-            kind = (1 << 60) + (q << 56)
-            values += [
+            kind = (1 << 60) + (self.quality(self.e_before) << 56)
+            return values + [
                 kind | block | corner << 9,
                 kind | Q(-1, 1, -2) | Q(-2, 2, -1) << 3 | Q(-2, 2, 0) << 8
-                | Q(-2, 2, 1) << 13 | Q(-1, 1, 2) << 18 | P(-1, -1, 0) << 24
-                | P(0, 0, -1) << 25,
+                | Q(-2, 2, 1) << 13 | Q(-1, 1, 2) << 18 | P(0, 0, -1) << 25,
                 kind | block | near << 9,
                 kind | block | place << 9]
-            vectors = 512 + block, 128 + (corner | q << 5)
-        else:
-            values += [
-                P(-7, -1, 0) | P(-5, 1, -1) << 7,
-                P(-1, 1, -1) | P(-1, 1, -2) << 3 | P(-1, 1, -3) << 6
-                | place << 9,
-                corner | place << 5,
-                near]
-            vectors = (P(-3, -1, 0) | P(-2, 3, -1) << 3,
-                       corner | P(-1, 0, -2) << 5)
-        return self.mixer.decode(self.coder, values, vectors)
+        return values + [
+            P(-7, -1, 0) | P(-5, 1, -1) << 7,
+            P(-1, 1, -1) | P(-1, 1, -2) << 3 | P(-1, 1, -3) << 6 | place << 9,
+            corner | place << 5,
+            near]

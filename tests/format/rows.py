@@ -13,9 +13,12 @@ class Table:
     def __init__(self, bits):
         self.bits, self.slots = bits, {}
 
-    def find(self, context):
+    def find(self, context, pair=None):
+        """`pair`: which of the two slots that lie side by side."""
         value = top(64, context * K)
         place, check = value >> 64 - self.bits, value >> 40 & 255
+        if pair is not None:
+            place = 2 * (place >> 1) + pair
         slot = self.slots.get(place)
         if slot is None or slot[0] != check:
             slot = self.slots[place] = [check, 32768, 0]
@@ -32,8 +35,8 @@ class Rows:
     def __init__(self, coder, width, rows, revision):
         self.coder, self.width, self.rows = coder, width, rows
         self.code = (self.blend, self.mix, self.mix_more)[revision]
-        self.rare = (1500, 700, 3000)[revision]
-        bits, count = ((14, 2), (16, 4), (15, 8))[revision]
+        self.rare = (1500, 700, 3600)[revision]
+        bits, count = ((14, 2), (16, 4), (17, 8))[revision]
         self.tables = [Table(bits) for _ in range(count)]
         self.mixer = (Mixer([512, 128], [[768] * 16]) if revision == 2
                       else Mixer([512], [[1536] * 8]))
@@ -143,8 +146,8 @@ class Rows:
                 | self.cut(x, y, 2, 8, 8) << 32
                 | self.cut(x, y, 3, 7, 7) * 0x3A8F05C5 << 28)
 
-    def look_up(self, contexts):
-        slots = [table.find(context)
+    def look_up(self, contexts, pair=None):
+        slots = [table.find(context, pair)
                  for table, context in zip(self.tables, contexts)]
         inputs = [STRETCH[p >> 4] for _, p, _ in slots]
         inputs += [(p - 32768) * TRUST[n] >> 16 for _, p, n in slots]
@@ -163,16 +166,22 @@ class Rows:
 
     def mix_more(self, x, y, near, _p):
         B, R = self.before, self.cut
-        slots, inputs = self.look_up(
-            (near, self.small(x, y), self.middle(x, y), self.wide(x, y),
-             B(x, y, 3) | R(x, y, 1, 2, 6) << 3 | R(x, y, 2, 2, 6) << 12
-             | R(x, y, 3, 2, 5) << 21,
-             B(x, y, 1) | R(x, y, 1, 1, 3) << 1 | R(x, y, 2, 1, 1) << 6
-             | R(x, y, 3, 1, 1) << 9 | R(x, y, 4, 1, 1) << 12,
-             B(x, y, 7) | R(x, y, 1, 5, 1) << 7 | R(x, y, 2, 4, 0) << 14,
-             B(x, y, 16) | R(x, y, 1, 8, 11) << 16))
         chosen = (B(x, y, 3) | R(x, y, 1, 2, 3) << 3,
                   B(x, y, 2) | R(x, y, 1, 1, 1) << 2 | R(x, y, 2, 0, 1) << 5)
+        t = B(x, y, 1)
+        if t:
+            self.image[y][x - 1] = 0
+        contexts = (
+            near & ~1, self.small(x, y), self.middle(x, y), self.wide(x, y),
+            B(x, y, 3) | R(x, y, 1, 2, 6) << 3 | R(x, y, 2, 2, 6) << 12
+            | R(x, y, 3, 2, 5) << 21,
+            B(x, y, 1) | R(x, y, 1, 1, 3) << 1 | R(x, y, 2, 1, 1) << 6
+            | R(x, y, 3, 1, 1) << 9 | R(x, y, 4, 1, 1) << 12,
+            B(x, y, 7) | R(x, y, 1, 5, 1) << 7 | R(x, y, 2, 4, 0) << 14,
+            B(x, y, 16) | R(x, y, 1, 8, 11) << 16)
+        if t:
+            self.image[y][x - 1] = 1
+        slots, inputs = self.look_up(contexts, t)
         mean = self.mixer.mean(inputs, chosen)
         p = (squash(mean) + self.refiner.refine(mean, chosen[0])) // 2
         bit = self.coder.decode(clamp(p, 24, 65512), "pixel")

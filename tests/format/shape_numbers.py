@@ -155,7 +155,7 @@ class MixedNumbers(History):
                        for i, v in enumerate(all_)]
 
     def decide(self, field, values, node):
-        name = (node + 1) * K & M64
+        name = (node // 2 + 1) * K & M64
         return self.mixer.decode(
-            self.coder, [v ^ name for v in self.values],
+            self.coder, [v ^ name for v in self.values], node % 2,
             (72 * field + min(node, 71), 3 * field + self.kind))
