@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -72,6 +73,17 @@ struct PixelWindow {
   [[nodiscard]] std::uint64_t cut(std::size_t k, int left, int right) const {
     return row[k] >> (31 - right) &
            ((std::uint64_t{1} << (left + right + 1)) - 1);
+  }
+  /// How many pixels before x in the row y - k have the colour of the last of
+  /// them, at most 32.
+  [[nodiscard]] int alike_before(std::size_t k) const {
+    const auto pixels = static_cast<std::uint32_t>(row[k] >> 32);
+    return std::countr_zero((pixels & 1) != 0 ? ~pixels : pixels);
+  }
+  /// The same of x and those after it. REQUIRES: not moved.
+  [[nodiscard]] int alike_from(std::size_t k) const {
+    const auto pixels = static_cast<std::uint32_t>(row[k]);
+    return std::countl_zero(pixels >> 31 != 0 ? ~pixels : pixels);
   }
   /// The nearest 16 pixels.
   [[nodiscard]] std::uint64_t near() const {

@@ -1,44 +1,97 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "codec/colour_run.h"
-#include "codec/pixel_models.h"
-#include "codec/pixel_rows.h"
 #include "codec/pixel_slots.h"
 
 namespace unstep::codec {
 
-/// Decisions about many pixels at once.
+/// Decisions about many pixels at once: whether a run of one colour changes it,
+/// and where. Each is made under two contexts, how far back the row had such a
+/// change and how the edges beside the run go; their mean is coded.
 class PixelRuns {
  public:
-  static constexpr std::uint64_t memory() { return kRuns * sizeof(PixelSlot); }
+  static constexpr std::uint64_t memory() {
+    return (kSince + kEdges + kOctaves * (kSince + kLeft)) * sizeof(PixelSlot);
+  }
+
+  /// What is known of a run.
+  struct Around {
+    unsigned colours;  ///< of the two pixels above the first, the nearest low
+    unsigned left;     ///< slope of the edge before the run
+    unsigned right;    ///< slope of the one after it, above
+  };
+
+  /// Columns that an edge moves in a row, as a context: 0..7.
+  [[nodiscard]] static unsigned slope(int columns) {
+    return static_cast<unsigned>(std::clamp(columns, -4, 3) + 4);
+  }
+
+  void begin_row() { last_ = -kFar; }
 
   /// Whether and where a run from x to `end` changes its colour: the first
-  /// pixel that does, or `end`. `change` is the truth. `colours`: of the pixels
-  /// before x and of the two above it, bit 0 first.
+  /// pixel that does, or `end`. `change` is the truth.
   template <class Coder>
   std::int32_t code_run(Coder& coder, std::int32_t change, std::int32_t x,
-                        std::int32_t end, unsigned colours, bool last) {
-    const auto length = static_cast<unsigned>(end - x);
-    const unsigned octave =
-        std::min(static_cast<unsigned>(std::bit_width(length)), 15U);
-    PixelSlot& slot = runs_[octave | colours << 4 | (last ? 128U : 0U) |
-                            (x == 0 ? 256U : 0U)];
-    const bool changes =
-        coder.code(change < end, std::clamp<int>(slot.p, 2, 65534));
-    slot.learn(changes);
-    return changes ? code_change(coder, change, x, end) : end;
+                        std::int32_t end, const Around& around) {
+    const unsigned length = octave(end - x);
+    const unsigned since =
+        (std::clamp(octave(x - last_), 3U, 10U) - 3) << 6 |
+        around.colours << 4 | length;
+    const unsigned edges = around.right << 9 | around.left << 6 |
+                           around.colours << 4 | length;
+    if (!decide(coder, change < end, since_[since], edges_[edges])) return end;
+
+    PixelSlot* near_since = &near_since_[since * kOctaves];
+    PixelSlot* near_left =
+        &near_left_[(around.left << 4 | length) * kOctaves];
+    // Powers of two, up to the first that the change is not as far as.
+    std::int32_t from = x;
+    std::int32_t until = x + 1;
+    while (until < end) {
+      const unsigned far = octave(until - x);
+      if (!decide(coder, change >= until, near_since[far], near_left[far])) {
+        break;
+      }
+      from = until;
+      until += until - x;
+    }
+    last_ = code_change(coder, change, from, std::min(until, end));
+    return last_;
   }
 
  private:
-  static constexpr std::size_t kRuns = 512;
-  std::array<PixelSlot, kRuns> runs_{};
+  static constexpr std::size_t kOctaves = 16;
+  static constexpr std::size_t kLeft = 8 * kOctaves;
+  static constexpr std::size_t kSince = 8 * 4 * kOctaves;
+  static constexpr std::size_t kEdges = 8 * kSince;
+  static constexpr std::int32_t kFar = 1000;
+
+  static unsigned octave(std::int32_t length) {
+    return std::min(
+        static_cast<unsigned>(std::bit_width(static_cast<unsigned>(length))),
+        15U);
+  }
+
+  template <class Coder>
+  static bool decide(Coder& coder, bool truth, PixelSlot& a, PixelSlot& b) {
+    const bool bit =
+        coder.code(truth, std::clamp((a.p + b.p) / 2, 2, 65534));
+    a.learn(bit);
+    b.learn(bit);
+    return bit;
+  }
+
+  std::vector<PixelSlot> since_ = std::vector<PixelSlot>(kSince);
+  std::vector<PixelSlot> edges_ = std::vector<PixelSlot>(kEdges);
+  std::vector<PixelSlot> near_since_ = std::vector<PixelSlot>(kSince * kOctaves);
+  std::vector<PixelSlot> near_left_ = std::vector<PixelSlot>(kLeft * kOctaves);
+  std::int32_t last_ = 0;  ///< where this row changed its colour last
 };
 
 }  // namespace unstep::codec

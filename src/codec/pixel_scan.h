@@ -68,6 +68,7 @@ class PixelScan {
       at_[static_cast<std::size_t>(k)] = rows_.row(y - k);
     }
     masks_.find(at_[1], at_[2]);
+    runs_.begin_row();
     truth_ = side_.truth(y);
     for (std::int32_t x = 0; x < width_;) x = code_some(x);
   }
@@ -128,13 +129,18 @@ class PixelScan {
   /// included.
   std::int32_t code_run(const PixelWindow& window, std::int32_t x) {
     const std::int32_t end = masks_.next_edge(x);
+    PixelWindow ahead;
+    ahead.look(at_, end);
     const auto above = static_cast<unsigned>(window.cut(1, 0, 0));
     const auto top = static_cast<unsigned>(window.cut(2, 0, 0));
     const bool ink = above != 0;
     const std::int32_t change =
         truth_ != nullptr ? first_other(truth_, x, end, ink) : end;
-    const std::int32_t found = runs_.code_run(side_.coder(), change, x, end,
-                                              above | top << 1, end == width_);
+    const std::int32_t found = runs_.code_run(
+        side_.coder(), change, x, end,
+        {above | top << 1,
+         PixelRuns::slope(window.alike_before(0) - window.alike_before(1)),
+         PixelRuns::slope(ahead.alike_from(2) - ahead.alike_from(1))});
     if (ink) fill(x, found);
     if (found == end) return end;
     if (!ink) set(found);
