@@ -66,11 +66,14 @@ class BlendedPixels {
   template <class Coder>
   bool code(Coder& coder, bool truth, const PixelWindow& window,
             std::uint64_t /*near*/, int near_p) {
-    PixelTable::Found small = small_.find(pixel_contexts::small(window));
-    PixelTable::Found large = large_.find(pixel_contexts::large(window));
     int p = near_p;
-    p += (small.slot.p - p) * detail::kPixelBlend[small.slot.age()] >> 8;
-    p += (large.slot.p - p) * detail::kPixelBlend[large.slot.age()] >> 8;
+    const auto move = [&p](const PixelSlot& slot) {
+      p += (slot.p - p) * detail::kPixelBlend[slot.age()] >> 8;
+    };
+    PixelTable::Found small = small_.find(pixel_contexts::small(window), p);
+    move(small.slot);
+    PixelTable::Found large = large_.find(pixel_contexts::large(window), p);
+    move(large.slot);
     const bool bit = coder.code(truth, std::clamp(p, 24, 65512));
     small.learn(bit);
     large.learn(bit);

@@ -47,13 +47,16 @@ class PixelTable {
       *place = slot;
     }
   };
-  Found find(std::uint64_t context) {
+  /// A new one begins with the probability p.
+  Found find(std::uint64_t context, int p = 32768) {
     const std::uint64_t hash = context * kGolden;
     PixelSlot* place = &slots_[hash >> shift_];
     const unsigned check = hash >> 32 & 0xff00U;
-    const unsigned known = ((place->tag ^ check) >> 8) == 0 ? 0xffffU : 0U;
+    const unsigned differs = (place->tag ^ check) >> 8;
+    const unsigned known = (differs - 1) >> 16;  // 0xffff or 0
+    const auto start = static_cast<unsigned>(p);
     return {place,
-            {static_cast<std::uint16_t>(((place->p ^ 32768U) & known) ^ 32768U),
+            {static_cast<std::uint16_t>(((place->p ^ start) & known) ^ start),
              static_cast<std::uint16_t>(check | (place->tag & known & 0xffU))}};
   }
 
