@@ -54,8 +54,8 @@ namespace pixel_contexts {
 /// how much that is. For speed: no mixer.
 class BlendedPixels {
  public:
-  static constexpr int kBits = 14;  ///< log2 of the slots of a context
-  static constexpr unsigned kRare = 1500U;
+  static constexpr int kBits = 16;  ///< log2 of the slots of a context
+  static constexpr unsigned kRare = 3000U;
 
   static constexpr std::uint64_t memory() {
     return 2 * PixelTable::memory(kBits);
