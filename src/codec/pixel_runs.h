@@ -40,16 +40,14 @@ class PixelRuns {
   std::int32_t code_run(Coder& coder, std::int32_t change, std::int32_t x,
                         std::int32_t end, const Around& around) {
     const unsigned length = octave(end - x);
-    const unsigned since =
-        (std::clamp(octave(x - last_), 3U, 10U) - 3) << 6 |
-        around.colours << 4 | length;
-    const unsigned edges = around.right << 9 | around.left << 6 |
-                           around.colours << 4 | length;
-    if (!decide(coder, change < end, since_[since], edges_[edges])) return end;
-
-    PixelSlot* near_since = &near_since_[since * kOctaves];
-    PixelSlot* near_left =
-        &near_left_[(around.left << 4 | length) * kOctaves];
+    const unsigned kind = around.colours << 4 | length;
+    const unsigned since = (std::clamp(octave(x - last_), 3U, 10U) - 3) << 6;
+    if (!decide(coder, change < end, since_[since | kind],
+                edges_[around.right << 9 | around.left << 6 | kind])) {
+      return end;
+    }
+    PixelSlot* near_since = &near_since_[(since | kind) * kOctaves];
+    PixelSlot* near_left = &near_left_[(around.left << 4 | length) * kOctaves];
     // Powers of two, up to the first that the change is not as far as.
     std::int32_t from = x;
     std::int32_t until = x + 1;
@@ -66,12 +64,14 @@ class PixelRuns {
   }
 
  private:
+  // How many contexts there are of each kind.
   static constexpr std::size_t kOctaves = 16;
   static constexpr std::size_t kLeft = 8 * kOctaves;
   static constexpr std::size_t kSince = 8 * 4 * kOctaves;
   static constexpr std::size_t kEdges = 8 * kSince;
-  static constexpr std::int32_t kFar = 1000;
+  static constexpr std::int32_t kFar = 512;  ///< the last class, 512 and more
 
+  /// Binary digits, at most 15.
   static unsigned octave(std::int32_t length) {
     return std::min(
         static_cast<unsigned>(std::bit_width(static_cast<unsigned>(length))),
@@ -80,17 +80,17 @@ class PixelRuns {
 
   template <class Coder>
   static bool decide(Coder& coder, bool truth, PixelSlot& a, PixelSlot& b) {
-    const bool bit =
-        coder.code(truth, std::clamp((a.p + b.p) / 2, 2, 65534));
+    const bool bit = coder.code(truth, std::clamp((a.p + b.p) / 2, 2, 65534));
     a.learn(bit);
     b.learn(bit);
     return bit;
   }
 
-  std::vector<PixelSlot> since_ = std::vector<PixelSlot>(kSince);
-  std::vector<PixelSlot> edges_ = std::vector<PixelSlot>(kEdges);
-  std::vector<PixelSlot> near_since_ = std::vector<PixelSlot>(kSince * kOctaves);
-  std::vector<PixelSlot> near_left_ = std::vector<PixelSlot>(kLeft * kOctaves);
+  using Slots = std::vector<PixelSlot>;
+  Slots since_ = Slots(kSince);
+  Slots edges_ = Slots(kEdges);
+  Slots near_since_ = Slots(kSince * kOctaves);
+  Slots near_left_ = Slots(kLeft * kOctaves);
   std::int32_t last_ = 0;  ///< where this row changed its colour last
 };
 

@@ -13,20 +13,27 @@ class Table:
     def __init__(self, bits):
         self.bits, self.slots = bits, {}
 
-    def find(self, context, pair=None):
-        """`pair`: which of the two slots that lie side by side."""
+    def find(self, context, start=32768):
         value = top(64, context * K)
         place, check = value >> 64 - self.bits, value >> 40 & 255
         if pair is not None:
             place = 2 * (place >> 1) + pair
         slot = self.slots.get(place)
         if slot is None or slot[0] != check:
-            slot = self.slots[place] = [check, 32768, 0]
+            slot = self.slots[place] = [check, start, 0]
         return slot
 
 
 def learn(slot, bit):
     slot[1:] = move(slot[1], slot[2], bit), min(255, slot[2] + 1)
+
+
+def octave(value):
+    return min(value.bit_length(), 15)
+
+
+def slope(columns):
+    return clamp(columns, -4, 3) + 4
 
 
 class Rows:
@@ -35,8 +42,8 @@ class Rows:
     def __init__(self, coder, width, rows, revision):
         self.coder, self.width, self.rows = coder, width, rows
         self.code = (self.blend, self.mix, self.mix_more)[revision]
-        self.rare = (1500, 700, 3600)[revision]
-        bits, count = ((14, 2), (16, 4), (17, 8))[revision]
+        self.rare = (3000, 700, 3000)[revision]
+        bits, count = ((16, 2), (16, 4), (15, 8))[revision]
         self.tables = [Table(bits) for _ in range(count)]
         self.mixer = (Mixer([512, 128], [[768] * 16]) if revision == 2
                       else Mixer([512], [[1536] * 8]))
@@ -47,7 +54,7 @@ class Rows:
         self.image = image
         for y in range(self.rows):
             self.empty = not any(map(any, image[max(0, y - 2):y]))
-            x = 0
+            x, self.last = 0, -512
             while x < self.width:
                 if self.quiet(x, y):
                     x = self.code_run(x, y)
@@ -80,26 +87,48 @@ class Rows:
         while end < self.width and self.plain(end, y):
             end += 1
         ink = self.at(x, y - 1)
-        kind = (min((end - x).bit_length(), 15), ink, self.at(x, y - 2),
-                end == self.width, x == 0)
-        slot = self.runs.setdefault(kind, [0, 32768, 0])
-        changes = self.coder.decode(clamp(slot[1], 2, 65534), "run")
-        learn(slot, changes)
+        length = octave(end - x)
+        since = clamp(octave(x - self.last) - 3, 0, 7)
+        left = slope(self.alike(x - 1, y, -1) - self.alike(x - 1, y - 1, -1))
+        right = slope(self.alike(end, y - 2, 1) - self.alike(end, y - 1, 1))
+        kind = (self.at(x, y - 2), ink, length)
         low, high = end, end
+        changes = self.decide("run", ("run since", since, kind),
+                              ("run edges", left, right, kind))
         if changes:
-            low = x
+            low, high = x, x + 1
+            while high < end and self.decide(
+                    "near", ("near since", since, kind, octave(high - x)),
+                    ("near left", left, length, octave(high - x))):
+                low, high = high, 2 * high - x
+            high = min(high, end)
             while high - low > 1:
                 middle = (low + high) // 2
                 if self.coder.decode(32768, "change"):
                     low = middle
                 else:
                     high = middle
+            self.last = low
         for i in range(x, low):
             self.image[y][i] = ink
         if changes:
             self.image[y][low] = 1 - ink
             return low + 1
         return end
+
+    def alike(self, x, y, step):
+        for count in range(1, 32):
+            if self.at(x + count * step, y) != self.at(x, y):
+                return count
+        return 32
+
+    def decide(self, name, *numbers):
+        slots = [self.runs.setdefault(n, [0, 32768, 0]) for n in numbers]
+        p = (slots[0][1] + slots[1][1]) // 2
+        bit = self.coder.decode(clamp(p, 2, 65534), name)
+        for slot in slots:
+            learn(slot, bit)
+        return bit
 
     def pixel(self, x, y):
         near = (self.before(x, y, 4) | self.cut(x, y, 1, 3, 3) << 4
@@ -126,10 +155,10 @@ class Rows:
                  | self.cut(x, y, 2, 6, 6) << 24
                  | self.cut(x, y, 3, 5, 5) << 37
                  | self.cut(x, y, 4, 4, 4) << 48)
-        slots = [table.find(context) for table, context in
-                 zip(self.tables, (self.small(x, y), large))]
-        for _, q, n in slots:
-            p += (q - p) * BLEND[n] >> 8
+        slots = []
+        for table, context in zip(self.tables, (self.small(x, y), large)):
+            slots.append(table.find(context, p))
+            p += (slots[-1][1] - p) * BLEND[slots[-1][2]] >> 8
         bit = self.coder.decode(clamp(p, 24, 65512), "pixel")
         for slot in slots:
             learn(slot, bit)
