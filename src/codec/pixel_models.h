@@ -89,7 +89,7 @@ class BlendedPixels {
 class MixedPixels {
  public:
   static constexpr int kBits = 16;
-  static constexpr unsigned kRare = 700U;
+  static constexpr unsigned kRare = 1000U;
   static constexpr std::size_t kContexts = 4;
 
   static constexpr std::uint64_t memory() {

@@ -16,10 +16,8 @@ class Table:
     def find(self, context, start=32768):
         value = top(64, context * K)
         place, check = value >> 64 - self.bits, value >> 40 & 255
-        if pair is not None:
-            place = 2 * (place >> 1) + pair
-        slot = self.slots.get(place)
-        if slot is None or slot[0] != check:
+        slot = self.slots.setdefault(place, [0, 32768, 0])
+        if slot[0] != check:
             slot = self.slots[place] = [check, start, 0]
         return slot
 
@@ -42,7 +40,7 @@ class Rows:
     def __init__(self, coder, width, rows, revision):
         self.coder, self.width, self.rows = coder, width, rows
         self.code = (self.blend, self.mix, self.mix_more)[revision]
-        self.rare = (3000, 700, 3000)[revision]
+        self.rare = (3000, 1000, 3000)[revision]
         bits, count = ((16, 2), (16, 4), (15, 8))[revision]
         self.tables = [Table(bits) for _ in range(count)]
         self.mixer = (Mixer([512, 128], [[768] * 16]) if revision == 2

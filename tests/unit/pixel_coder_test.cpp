@@ -121,9 +121,9 @@ TEST(Pixels, HaveTheseBytes) {
     const Bytes payload = *encode_pixels(ink, 0, 203, revision, {});
     return crc32(0, payload.data(), static_cast<uInt>(payload.size()));
   };
-  EXPECT_EQ(sum(kPixelsBlended), 2376980130U);
-  EXPECT_EQ(sum(kPixelsMixed), 1934838221U);
-  EXPECT_EQ(sum(kPixelsDeep), 2177773308U);
+  EXPECT_EQ(sum(kPixelsBlended), 2835737425U);
+  EXPECT_EQ(sum(kPixelsMixed), 2297854131U);
+  EXPECT_EQ(sum(kPixelsDeep), 1723601156U);
 }
 
 TEST(Pixels, ArePickedForDitherAndSmallerThere) {
