@@ -13,9 +13,13 @@ class Table:
     def __init__(self, bits):
         self.bits, self.slots = bits, {}
 
-    def find(self, context, start=32768):
+    def find(self, context, start=32768, pair=None):
+        """`start`: the probability of a new slot. `pair`: which of the two
+        slots that lie side by side."""
         value = top(64, context * K)
         place, check = value >> 64 - self.bits, value >> 40 & 255
+        if pair is not None:
+            place = 2 * (place >> 1) + pair
         slot = self.slots.setdefault(place, [0, 32768, 0])
         if slot[0] != check:
             slot = self.slots[place] = [check, start, 0]
@@ -40,8 +44,8 @@ class Rows:
     def __init__(self, coder, width, rows, revision):
         self.coder, self.width, self.rows = coder, width, rows
         self.code = (self.blend, self.mix, self.mix_more)[revision]
-        self.rare = (3000, 1000, 3000)[revision]
-        bits, count = ((16, 2), (16, 4), (15, 8))[revision]
+        self.rare = (3000, 1000, 3600)[revision]
+        bits, count = ((16, 2), (16, 4), (17, 8))[revision]
         self.tables = [Table(bits) for _ in range(count)]
         self.mixer = (Mixer([512, 128], [[768] * 16]) if revision == 2
                       else Mixer([512], [[1536] * 8]))
@@ -174,7 +178,7 @@ class Rows:
                 | self.cut(x, y, 3, 7, 7) * 0x3A8F05C5 << 28)
 
     def look_up(self, contexts, pair=None):
-        slots = [table.find(context, pair)
+        slots = [table.find(context, pair=pair)
                  for table, context in zip(self.tables, contexts)]
         inputs = [STRETCH[p >> 4] for _, p, _ in slots]
         inputs += [(p - 32768) * TRUST[n] >> 16 for _, p, n in slots]

@@ -123,7 +123,7 @@ TEST(Pixels, HaveTheseBytes) {
   };
   EXPECT_EQ(sum(kPixelsBlended), 2835737425U);
   EXPECT_EQ(sum(kPixelsMixed), 2297854131U);
-  EXPECT_EQ(sum(kPixelsDeep), 1723601156U);
+  EXPECT_EQ(sum(kPixelsDeep), 2664351131U);
 }
 
 TEST(Pixels, ArePickedForDitherAndSmallerThere) {
