@@ -226,6 +226,8 @@ def main():
     parser.add_argument("--unstep", default=find_unstep())
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--json", metavar="FILE")
+    parser.add_argument("--only", metavar="NAMES", help=(
+        "these coders beside unstep, with commas between"))
     parser.add_argument("--tmp", metavar="DIR", help="for temporary files")
     parser.add_argument("--known", metavar="CSV", help=(
         "file,coder,... with bytes of coders that are not on this machine"))
@@ -233,6 +235,9 @@ def main():
 
     coders = []
     for coder in coders_module.all_coders(args.unstep):
+        if args.only is not None and coder.name not in [
+                "unstep", *args.only.split(",")]:
+            continue
         if coder.missing():
             print("left out: %s needs %s" % (
                 coder.name, ", ".join(coder.missing())), file=sys.stderr)
