@@ -114,8 +114,8 @@ HeadCoder head_coder_of(const PageParts& page, const CoderName& name) {
   if (name == usual_coder(page.kind)) return HeadCoder::usual;
   const bool strokes =
       kind_flags(page) == kPathsKind && name == kUsualStrokeCoder &&
-      path_flags(page) == kUsualStrokeHead &&
-      page.fidelity == kUsualFidelity && page.scale == kUsualStrokeScale;
+      path_flags(page) == kUsualStrokeHead && page.fidelity == kUsualFidelity &&
+      page.scale == kUsualStrokeScale;
   return strokes ? HeadCoder::strokes : HeadCoder::named;
 }
 

@@ -140,9 +140,8 @@ HeadCoder read_path_head(ByteReader& in, bool may_be_usual, PageEntry& page) {
   const bool whole = (flags & kDenominatorFlag) == 0;
   const bool program = (flags & kProgramFlag) != 0;
   if (program) page.kind = PageKind::program;
-  const HeadCoder coder = (flags & kUsualPathCoderFlag) != 0
-                              ? HeadCoder::usual
-                              : HeadCoder::named;
+  const HeadCoder coder =
+      (flags & kUsualPathCoderFlag) != 0 ? HeadCoder::usual : HeadCoder::named;
   const unsigned known = (program ? kProgramHeadMask : kPathHeadMask) |
                          (may_be_usual ? kUsualPathCoderFlag : 0U);
   if ((flags & ~known) != 0 ||
@@ -178,8 +177,8 @@ bool has_usual_strokes(const PageEntry& page) {
 
 }  // namespace
 
-HeadCoder read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
-                    PageEntry& page) {
+HeadCoder read_page_head(std::uint8_t flags, ByteReader& in,
+                         MetadataSink metadata, PageEntry& page) {
   const unsigned kind = flags & kKindMask;
   page.kind = kind == kInkKind     ? PageKind::ink
               : kind == kPathsKind ? PageKind::paths

@@ -18,8 +18,8 @@ struct MetadataSink {
 /// Kind, canvas, details and path head (docs/format.md, Page head). `flags` is
 /// the byte already read; bits 0, 1 and 4 are the caller's. Only a short
 /// form may say more of the coder than that it is named.
-HeadCoder read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
-                    PageEntry& page);
+HeadCoder read_page_head(std::uint8_t flags, ByteReader& in,
+                         MetadataSink metadata, PageEntry& page);
 
 /// Coder, revision and table; in a short form, which does not name the usual
 /// one.
