@@ -58,6 +58,9 @@ inline constexpr std::uint8_t kCoderProgram = 28;  ///< programs, mixed models
   return {kCoderProgram, 0, 0};
 }
 
+/// The coder of strokes with the usual head, which says so.
+inline constexpr CoderName kUsualStrokeCoder{kCoderStrokes, 0, 1};
+
 struct EncodedBlock {
   CoderName name;
   std::vector<std::uint8_t> payload;

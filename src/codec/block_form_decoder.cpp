@@ -123,7 +123,7 @@ class BlockFormParser {
     if ((flags & (kVersionMask | kBlockFormFlag | kUsualFlag)) != 0) {
       in.fail(ErrorCode::corrupt, start, "unknown page flags");
     }
-    read_page_head(flags, in, {metadata_budget_}, page);
+    (void)read_page_head(flags, in, {metadata_budget_}, page);
     blocks_due_ = in.varint("the number of payload blocks", file_.size());
     if (blocks_due_ == 0) out_of_order(in, "page without payload blocks");
     page.checksum = in.u32("the page's checksum");

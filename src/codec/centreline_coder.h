@@ -14,7 +14,7 @@ namespace unstep::codec {
 class CentrelineModel;
 template <class Decisions>
 class LineStartModel;
-template <std::size_t kContexts, std::size_t kSets, bool kRefined>
+template <std::size_t kContexts, std::size_t kSets, bool kRefined, bool kKnown>
 class DecisionModel;
 
 /// The models, of the standard and the max effort.
@@ -72,7 +72,7 @@ Status verify_centrelines(std::span<const std::uint8_t> payload,
 /// without the warm start, and with 2^16 slots per context.
 using CentrelineVisitor = std::function<void(
     const CentrelineModel& lines,
-    const LineStartModel<DecisionModel<5, 3, true>>& starts)>;
+    const LineStartModel<DecisionModel<5, 3, true, false>>& starts)>;
 Status show_centreline_models(const Bitmap& ink, bool cold,
                               const CentrelineVisitor& visit);
 

@@ -20,8 +20,8 @@ Result<ParsedFile> parse_short_form(std::uint8_t flags, ByteReader& in,
   PageEntry::Block block;
   std::uint64_t budget = kMaxMetadataTotal;
   Metadata of_file;
-  const bool usual = read_page_head(flags, in, {budget, &of_file}, page);
-  read_short_coder_name(usual, in, page.kind, block);
+  const HeadCoder coder = read_page_head(flags, in, {budget, &of_file}, page);
+  read_short_coder_name(coder, in, page, block);
   std::uint64_t decoded_bytes = read_counts(in, page.kind, block);
   block.box = kEverywhere;
   if (page.kind == PageKind::ink) {

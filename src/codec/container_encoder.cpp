@@ -109,10 +109,21 @@ Status put_details(std::uint8_t details, const PageInfo& info,
   return write_metadata(of_file, out);
 }
 
-/// Page flags, canvas, details, path head. `other_flags` fill bits 0, 1 and 4;
-/// `usual`: the coder is, and is not named.
+/// What a short form's head can say of the coder.
+HeadCoder head_coder_of(const PageParts& page, const CoderName& name) {
+  if (name == usual_coder(page.kind)) return HeadCoder::usual;
+  const bool strokes =
+      kind_flags(page) == kPathsKind && name == kUsualStrokeCoder &&
+      path_flags(page) == kUsualStrokeHead && page.fidelity == kUsualFidelity &&
+      page.scale == kUsualStrokeScale;
+  return strokes ? HeadCoder::strokes : HeadCoder::named;
+}
+
+/// Page flags, canvas, details, path head. `other_flags` fill bits 0, 1 and 4.
 Status put_page_head(const PageParts& page, std::uint8_t other_flags,
-                     bool usual, const Metadata& of_file, ByteWriter& out) {
+                     HeadCoder coder, const Metadata& of_file,
+                     ByteWriter& out) {
+  const bool usual = coder == HeadCoder::usual;
   const bool paths = kind_flags(page) == kPathsKind;
   const bool no_path_head = usual && path_flags(page) == kUsualPathHead &&
                             page.fidelity == kUsualFidelity;
@@ -131,7 +142,9 @@ Status put_page_head(const PageParts& page, std::uint8_t other_flags,
       return put;
     }
   }
-  if (paths && !no_path_head) {
+  if (coder == HeadCoder::strokes) {
+    out.u8(kUsualStrokes);
+  } else if (paths && !no_path_head) {
     put_path_head(page, usual ? kUsualPathCoderFlag : std::uint8_t{0}, out);
   }
   return {};
@@ -149,7 +162,10 @@ void put_block(std::uint8_t type, const ByteWriter& content, ByteWriter& out) {
 
 Status put_page(const PageParts& page, ByteWriter& out) {
   ByteWriter content;
-  if (Status put = put_page_head(page, 0, false, {}, content); !put) return put;
+  if (Status put = put_page_head(page, 0, HeadCoder::named, {}, content);
+      !put) {
+    return put;
+  }
   content.varint(page.blocks.size());
   content.u32(page.checksum);
   put_block(kPageBlock, content, out);
@@ -261,12 +277,12 @@ Result<std::vector<std::uint8_t>> short_form(const PageParts& page,
     return fits.error();
   }
   const BlockParts& block = page.blocks[0];
-  const bool usual = block.encoded.name == usual_coder(page.kind);
+  const HeadCoder coder = head_coder_of(page, block.encoded.name);
   ByteWriter head;
-  if (Status put = put_page_head(page, kVersion, usual, metadata, head); !put) {
+  if (Status put = put_page_head(page, kVersion, coder, metadata, head); !put) {
     return put.error();
   }
-  if (!usual) put_coder_name(block.encoded.name, head);
+  if (coder == HeadCoder::named) put_coder_name(block.encoded.name, head);
   const std::uint64_t decoded_bytes = put_counts(page, block, head);
   ByteWriter out;
   out.bytes(kSignature);

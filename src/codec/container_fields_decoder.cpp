@@ -117,21 +117,31 @@ Rational read_tolerance(ByteReader& in, bool whole) {
   return value;
 }
 
-/// True if the coder is the usual one; `may_be_usual`: it may say so.
-bool read_path_head(ByteReader& in, bool may_be_usual, PageEntry& page) {
+/// A whole head of strokes in one byte.
+HeadCoder usual_strokes(PageEntry& page) {
+  page.fidelity = kUsualFidelity;
+  page.paint = Paint::stroke;
+  page.scale = kUsualStrokeScale;
+  return HeadCoder::strokes;
+}
+
+/// `may_be_usual`: it may say more of the coder than that it is named.
+HeadCoder read_path_head(ByteReader& in, bool may_be_usual, PageEntry& page) {
   const std::uint64_t start = in.position();
   const std::uint8_t flags = in.u8("the head of the paths");
+  if (may_be_usual && flags == kUsualStrokes) return usual_strokes(page);
   const unsigned kind = flags & kFidelityMask;
   if (kind > static_cast<unsigned>(Fidelity::Kind::device)) {
     in.fail(ErrorCode::unsupported_version, start, "unknown fidelity");
-    return false;
+    return HeadCoder::named;
   }
   page.fidelity.kind = static_cast<Fidelity::Kind>(kind);
   const bool tolerance = page.fidelity.kind == Fidelity::Kind::tolerance;
   const bool whole = (flags & kDenominatorFlag) == 0;
   const bool program = (flags & kProgramFlag) != 0;
   if (program) page.kind = PageKind::program;
-  const bool usual = (flags & kUsualPathCoderFlag) != 0;
+  const HeadCoder coder =
+      (flags & kUsualPathCoderFlag) != 0 ? HeadCoder::usual : HeadCoder::named;
   const unsigned known = (program ? kProgramHeadMask : kPathHeadMask) |
                          (may_be_usual ? kUsualPathCoderFlag : 0U);
   if ((flags & ~known) != 0 ||
@@ -148,20 +158,27 @@ bool read_path_head(ByteReader& in, bool may_be_usual, PageEntry& page) {
       page.fidelity == kUsualFidelity) {
     in.fail(ErrorCode::corrupt, start, "the usual head of paths is given");
   }
-  if ((flags & kScaleFlag) == 0) return usual;
+  if ((flags & kScaleFlag) == 0) return coder;
   const std::uint64_t scale_start = in.position();
   page.scale =
       static_cast<std::int32_t>(in.varint("the scale", Drawing::kMaxScale));
   if (page.scale < 2) {
     in.fail(ErrorCode::corrupt, scale_start, "scale below 2");
   }
-  return usual;
+  return coder;
+}
+
+/// Whether the one byte of usual_strokes() says all of a page.
+bool has_usual_strokes(const PageEntry& page) {
+  return page.kind == PageKind::paths && page.fidelity == kUsualFidelity &&
+         page.paint == Paint::stroke && page.scale == kUsualStrokeScale &&
+         page.canvas.y_axis == YAxis::down;
 }
 
 }  // namespace
 
-bool read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
-                    PageEntry& page) {
+HeadCoder read_page_head(std::uint8_t flags, ByteReader& in,
+                         MetadataSink metadata, PageEntry& page) {
   const unsigned kind = flags & kKindMask;
   page.kind = kind == kInkKind     ? PageKind::ink
               : kind == kPathsKind ? PageKind::paths
@@ -170,10 +187,12 @@ bool read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
   read_canvas(flags, in, page);
   if ((flags & kDetailsFlag) != 0) read_details(in, metadata, page);
   const bool usual = (flags & kUsualFlag) != 0;
-  if (page.kind != PageKind::paths) return usual;
+  if (page.kind != PageKind::paths) {
+    return usual ? HeadCoder::usual : HeadCoder::named;
+  }
   if (!usual) return read_path_head(in, metadata.of_file != nullptr, page);
   page.fidelity = kUsualFidelity;
-  return true;
+  return HeadCoder::usual;
 }
 
 void read_coder_name(ByteReader& in, PageEntry::Block& block) {
@@ -193,18 +212,21 @@ void read_coder_name(ByteReader& in, PageEntry::Block& block) {
   }
 }
 
-void read_short_coder_name(bool is_usual, ByteReader& in, PageKind kind,
-                           PageEntry::Block& block) {
-  const CoderName usual = usual_coder(kind);
-  if (is_usual) {
-    block.coder = usual.coder;
-    block.revision = usual.revision;
-    block.table = usual.table;
+void read_short_coder_name(HeadCoder said, ByteReader& in,
+                           const PageEntry& page, PageEntry::Block& block) {
+  const CoderName usual = usual_coder(page.kind);
+  if (said != HeadCoder::named) {
+    const CoderName& name =
+        said == HeadCoder::usual ? usual : kUsualStrokeCoder;
+    block.coder = name.coder;
+    block.revision = name.revision;
+    block.table = name.table;
     return;
   }
   const std::uint64_t start = in.position();
   read_coder_name(in, block);
-  if (CoderName{block.coder, block.revision, block.table} == usual) {
+  const CoderName name{block.coder, block.revision, block.table};
+  if (name == usual || (name == kUsualStrokeCoder && has_usual_strokes(page))) {
     in.fail(ErrorCode::corrupt, start, "the usual coder is named");
   }
 }

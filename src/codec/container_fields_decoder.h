@@ -16,16 +16,16 @@ struct MetadataSink {
 };
 
 /// Kind, canvas, details and path head (docs/format.md, Page head). `flags` is
-/// the byte already read; bits 0, 1 and 4 are the caller's. True if the coder
-/// is the usual one and not named, which only a short form may say.
-bool read_page_head(std::uint8_t flags, ByteReader& in, MetadataSink metadata,
-                    PageEntry& page);
+/// the byte already read; bits 0, 1 and 4 are the caller's. Only a short
+/// form may say more of the coder than that it is named.
+HeadCoder read_page_head(std::uint8_t flags, ByteReader& in,
+                         MetadataSink metadata, PageEntry& page);
 
 /// Coder, revision and table; in a short form, which does not name the usual
 /// one.
 void read_coder_name(ByteReader& in, PageEntry::Block& block);
-void read_short_coder_name(bool usual, ByteReader& in, PageKind kind,
-                           PageEntry::Block& block);
+void read_short_coder_name(HeadCoder said, ByteReader& in,
+                           const PageEntry& page, PageEntry::Block& block);
 
 /// How many chains and steps, or paths and elements, a payload holds; ink has
 /// neither. Gives the canonical bytes of such a payload, 0 for ink.

@@ -53,6 +53,14 @@ inline constexpr std::uint8_t kUsualPathCoderFlag = 0x80;
 inline constexpr std::uint8_t kUsualPathHead =
     static_cast<std::uint8_t>(Fidelity::Kind::tolerance);
 inline constexpr Fidelity kUsualFidelity{Fidelity::Kind::tolerance, {1, 1}};
+/// Short form: what stands for the usual head of strokes, these flags, fidelity
+/// and scale, and for their coder.
+inline constexpr std::uint8_t kUsualStrokes = 0x03;
+inline constexpr std::uint8_t kUsualStrokeHead =
+    kUsualPathHead | kStrokeFlag | kScaleFlag;
+inline constexpr std::int32_t kUsualStrokeScale = 2;
+/// What the head of a short form says of the coder.
+enum class HeadCoder : std::uint8_t { named, usual, strokes };
 inline constexpr std::uint8_t kPathHeadMask = 0x3f;
 inline constexpr std::uint8_t kProgramHeadMask =
     kFidelityMask | kDenominatorFlag | kProgramFlag;

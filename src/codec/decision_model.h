@@ -20,8 +20,11 @@ namespace unstep::codec {
 /// node of its own. A context and a node together name a counter of a table
 /// without checks. The mixer has kSets sets of weights; `kRefined`: what it
 /// says is averaged with what followed where it said the same, under each of
-/// the first two selectors.
-template <std::size_t kContexts, std::size_t kSets = 2, bool kRefined = false>
+/// the first two selectors; `kKnown`: one more set is chosen by how many of the
+/// counters have seen bits, and how many of them many, which tells apart what
+/// is new from what is well known where there is little to learn from.
+template <std::size_t kContexts, std::size_t kSets = 2, bool kRefined = false,
+          bool kKnown = false>
 class DecisionModel {
  public:
   static constexpr std::size_t kInputs = (2 * kContexts + 1 + 7) / 8 * 8;
@@ -60,10 +63,11 @@ class DecisionModel {
           static_cast<std::int16_t>(((c.p - 32768) * kTrust[c.n]) >> 16);
     }
     inputs[2 * kContexts] = 77;
-    std::array<std::size_t, kSets> chosen{};
+    Chosen chosen{};
     for (std::size_t s = 0; s < kSets; ++s) {
       chosen[s] = selectors[s] % kSelectors;
     }
+    if constexpr (kKnown) chosen[kSets] = known(active);
     const int x = mixer_.mix(chosen);
     int p = entropy::squash(x);
     if constexpr (kRefined) {
@@ -83,21 +87,33 @@ class DecisionModel {
   [[nodiscard]] entropy::Counter& counter(std::size_t i, std::uint32_t index) {
     return counters_[(i << table_bits_) + (index >> (16 - table_bits_))];
   }
-  [[nodiscard]] entropy::Mixer<kInputs, kSets>& mixer() { return mixer_; }
-  [[nodiscard]] const entropy::Mixer<kInputs, kSets>& mixer() const {
-    return mixer_;
-  }
+  [[nodiscard]] auto& mixer() { return mixer_; }
+  [[nodiscard]] const auto& mixer() const { return mixer_; }
 
  private:
-  static constexpr std::array<std::size_t, kSets> all_selectors() {
-    std::array<std::size_t, kSets> all{};
+  static constexpr std::size_t kAllSets = kSets + (kKnown ? 1 : 0);
+  static constexpr std::uint8_t kMany = 6;
+  using Chosen = std::array<std::size_t, kAllSets>;
+
+  static constexpr Chosen all_selectors() {
+    Chosen all{};
     all.fill(kSelectors);
     return all;
+  }
+  static std::size_t known(
+      const std::array<entropy::Counter*, kContexts>& active) {
+    std::size_t some = 0;
+    std::size_t many = 0;
+    for (const entropy::Counter* c : active) {
+      some += c->n > 0 ? 1 : 0;
+      many += c->n > kMany ? 1 : 0;
+    }
+    return some * (kContexts + 1) + many;
   }
 
   int table_bits_;
   entropy::Table<entropy::Counter> counters_;
-  entropy::Mixer<kInputs, kSets> mixer_;
+  entropy::Mixer<kInputs, kAllSets> mixer_;
   std::vector<entropy::Refiner> refiners_;
   Values values_{};
 };

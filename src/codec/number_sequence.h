@@ -128,7 +128,8 @@ class NumberSequence
     : public NumberCoding<NumberSequence, DecisionModel<6>::Values> {
  public:
   static constexpr std::size_t kContexts = 6;
-  using Contexts = DecisionModel<kContexts>::Values;
+  using Model = DecisionModel<kContexts, 2, false, true>;
+  using Contexts = Model::Values;
 
   explicit NumberSequence(int table_bits)
       : model_(table_bits, std::array<Weights, 1>{initial()}) {}
@@ -146,14 +147,14 @@ class NumberSequence
   }
 
  private:
-  using Weights = DecisionModel<kContexts>::Weights;
+  using Weights = Model::Weights;
   static constexpr Weights initial() {
     Weights weights{};
     std::fill_n(weights.begin(), 2 * kContexts, 6144 / kContexts);
     return weights;
   }
 
-  DecisionModel<kContexts> model_;
+  Model model_;
 };
 
 }  // namespace unstep::codec

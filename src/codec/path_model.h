@@ -31,8 +31,13 @@ class PathModel {
   /// What holds for all paths of the payload, coded first.
   template <class Coder>
   void code_frame(Coder& coder, const PathFrame& frame) {
-    arcs_ = coder.code(frame.arcs, 32768);
+    code_arcs(coder, frame.arcs);
     starts_.code_frame(coder, frame.starts);
+  }
+  /// The same where starts are coded elsewhere.
+  template <class Coder>
+  void code_arcs(Coder& coder, bool arcs) {
+    arcs_ = coder.code(arcs, 32768);
   }
 
   /// Where the next path starts; not checked.

@@ -48,14 +48,10 @@ class EncoderSide {
     for (const Path& path : paths_) {
       for (const Path::Element& element : path.elements) {
         (void)changed(element, see);
-        frame_.paths.arcs |= element.kind == Path::Kind::arc;
+        frame_.arcs |= element.kind == Path::Kind::arc;
       }
     }
     frame_.unit_bits = std::min(std::countr_zero(bits), kMostUnitBits);
-    for (const Path& path : paths_) {
-      frame_.paths.starts.add(
-          in_units(path.origin, 1 << frame_.unit_bits).at.x);
-    }
   }
 
   void find_items() {
@@ -103,7 +99,7 @@ class EncoderSide {
 }  // namespace
 
 Result<EncodedBlock> encode_strokes(std::span<const Path> paths,
-                                    const stroke_warm::Table& start,
+                                    stroke_warm::Table start,
                                     const BlockProgress& progress) {
   std::uint64_t elements = 0;
   for (const Path& path : paths) elements += path.elements.size();
@@ -114,7 +110,7 @@ Result<EncodedBlock> encode_strokes(std::span<const Path> paths,
   const Status status = scan.run(progress);
   if (!status) return status.error();
   const std::uint8_t table =
-      start.paths == 0 ? stroke_warm::kNoTable : stroke_warm::kTableId;
+      start.empty() ? stroke_warm::kNoTable : stroke_warm::kTableId;
   return EncodedBlock{{kCoderStrokes, kStrokeRevision, table},
                       side.coder().finish()};
 }

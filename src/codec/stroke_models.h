@@ -10,7 +10,7 @@ namespace unstep::codec {
 
 /// What learns in coder 25; nothing of a payload itself.
 struct StrokeModels {
-  static constexpr int kTableBits = 14;
+  static constexpr int kTableBits = 16;
 
   StrokeModels() { path_warm::apply(path_warm::kTable, paths.vectors()); }
 

@@ -15,7 +15,7 @@ namespace unstep::codec {
 
 /// What holds for all paths of a payload.
 struct StrokeFrame {
-  PathFrame paths;
+  bool arcs = false;  ///< there are some
   int unit_bits = 0;  ///< vectors are multiples of 2 to this power
 };
 
@@ -78,7 +78,7 @@ class StrokeScan {
     starts_.set_unit_bits(static_cast<int>(models_.items.small(
         coder(), kUnit, static_cast<unsigned>(truth.unit_bits), 2,
         {0, 1, 2, 3, 4, 5})));
-    models_.paths.code_frame(coder(), truth.paths);
+    models_.paths.code_arcs(coder(), truth.arcs);
   }
 
   /// A word that came before.

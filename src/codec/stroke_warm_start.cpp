@@ -26,13 +26,15 @@ std::vector<std::uint8_t> bytes_of(std::string_view text) {
 
 }  // namespace
 
-void learn(const Table& table, StrokeModels& models) {
-  if (table.paths == 0) return;
-  const std::vector<std::uint8_t> payload = bytes_of(table.payload);
-  StrokeDecoderSide side(payload);
-  // The table is right; golden files prove it.
-  (void)StrokeScan<StrokeDecoderSide>(side, models, table.paths, table.elements)
-      .run({});
+void learn(Table table, StrokeModels& models) {
+  for (const Lesson& lesson : table) {
+    const std::vector<std::uint8_t> payload = bytes_of(lesson.payload);
+    StrokeDecoderSide side(payload);
+    // The table is right; golden files prove it.
+    (void)StrokeScan<StrokeDecoderSide>(side, models, lesson.paths,
+                                        lesson.elements)
+        .run({});
+  }
 }
 
 }  // namespace unstep::codec::stroke_warm

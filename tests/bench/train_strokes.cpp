@@ -3,15 +3,17 @@
 //     train_strokes OUT.cpp IMAGE...
 //
 // Traces the strokes of every image, lays cheap lines within a tolerance of 1
-// along them and encodes all together from nothing: the payload is the table.
+// along them and encodes each after those before: the payloads are the table.
 #include <cstdint>
 #include <cstdio>
+#include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "codec/stroke_warm_start.h"
 #include "codec/warm_start.h"
-#include "unstep/formats.h"
+#include "train_text.h"
 #include "unstep/trace.h"
 
 namespace {
@@ -33,24 +35,56 @@ std::string to_text(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
-bool add_strokes(const char* file, std::vector<Path>& paths) {
-  const auto bytes = read_file(file, std::uint64_t{1} << 30);
-  if (!bytes) return false;
-  auto reader = RasterReader::open(*bytes, {});
-  if (!reader) return false;
-  const auto page = reader->read(0);
-  if (!page) return false;
-  const auto strokes = trace_strokes(page->ink);
-  if (!strokes) return false;
+std::vector<Path> strokes_of(const char* file) {
+  const std::optional<Bitmap> ink = bench::first_page(file);
+  if (!ink) return {};
+  const auto strokes = trace_strokes(*ink);
+  if (!strokes) return {};
   StrokeOptions options;
   options.aim = LineAim::few_bytes;
-  options.ink = &page->ink;
+  options.ink = &*ink;
   const auto drawing = stroke_paths(
-      *strokes, {page->ink.width(), page->ink.height(), YAxis::down}, options);
-  if (!drawing) return false;
-  paths.insert(paths.end(), drawing->paths.begin(), drawing->paths.end());
-  return true;
+      *strokes, {ink->width(), ink->height(), YAxis::down}, options);
+  return drawing ? drawing->paths : std::vector<Path>{};
 }
+
+/// What a drawing teaches after others.
+class Course {
+ public:
+  bool add(const std::vector<Path>& paths) {
+    std::size_t elements = 0;
+    for (const Path& path : paths) elements += path.elements.size();
+    const auto block = codec::encode_strokes(paths, lessons_, {});
+    if (!block || paths.empty()) return false;
+    texts_.push_back(to_text(block->payload));
+    lessons_.push_back({static_cast<std::uint32_t>(paths.size()),
+                        static_cast<std::uint32_t>(elements), texts_.back()});
+    return true;
+  }
+
+  void write(std::FILE* out) const {
+    std::fprintf(out,
+                 "// Made by tests/bench/train_strokes.sh; do not edit.\n"
+                 "// clang-format off\n"
+                 "#include \"codec/stroke_warm_start.h\"\n\n"
+                 "namespace unstep::codec::stroke_warm {\n"
+                 "namespace {\n\n"
+                 "constexpr Lesson kLessons[] = {\n");
+    for (const codec::stroke_warm::Lesson& lesson : lessons_) {
+      std::fprintf(out, "    {%u, %u,\n", lesson.paths, lesson.elements);
+      bench::print_text(out, std::string(lesson.payload));
+      std::fprintf(out, "    },\n");
+    }
+    std::fprintf(out,
+                 "};\n\n}  // namespace\n\n"
+                 "const Table kTable{kLessons};\n\n"
+                 "}  // namespace unstep::codec::stroke_warm\n");
+  }
+
+ private:
+  std::deque<std::string> texts_;
+  std::vector<codec::stroke_warm::Lesson> lessons_;
+};
 
 }  // namespace
 
@@ -59,31 +93,15 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: train_strokes OUT.cpp IMAGE...\n");
     return 2;
   }
-  std::vector<Path> paths;
+  Course course;
   for (int i = 2; i < argc; ++i) {
-    if (!add_strokes(argv[i], paths)) {
+    if (!course.add(strokes_of(argv[i]))) {
       std::fprintf(stderr, "%s: cannot be traced\n", argv[i]);
       return 1;
     }
   }
-  std::size_t elements = 0;
-  for (const Path& path : paths) elements += path.elements.size();
-  const auto block =
-      codec::encode_strokes(paths, codec::stroke_warm::Table{}, {});
-  if (!block) return 1;
   std::FILE* out = std::fopen(argv[1], "w");
   if (out == nullptr) return 1;
-  std::fprintf(out,
-               "// Made by tests/bench/train_strokes.sh; do not edit.\n"
-               "// clang-format off\n"
-               "#include \"codec/stroke_warm_start.h\"\n\n"
-               "namespace unstep::codec::stroke_warm {\n\n"
-               "const Table kTable = {%zu, %zu,\n",
-               paths.size(), elements);
-  const std::string text = to_text(block->payload);
-  for (std::size_t i = 0; i < text.size(); i += 72) {
-    std::fprintf(out, "    \"%s\"\n", text.substr(i, 72).c_str());
-  }
-  std::fprintf(out, "};\n\n}  // namespace unstep::codec::stroke_warm\n");
+  course.write(out);
   return std::fclose(out) == 0 ? 0 : 1;
 }

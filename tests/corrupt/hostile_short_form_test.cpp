@@ -93,8 +93,11 @@ TEST(HostileShortForm, ImpossibleNumbersAreErrors) {
 TEST(HostileShortForm, ImpossiblePathHeadsAreErrors) {
   const std::uint8_t kind = codec::kPathsKind | codec::kSquareFlag;
   const ErrorCode corrupt = ErrorCode::corrupt;
-  expect_bad_head({kind, 8, 3, 24, 0, 0}, ErrorCode::unsupported_version,
+  expect_bad_head({kind, 8, 0x0b, 24, 0, 0}, ErrorCode::unsupported_version,
                   "unknown fidelity");
+  // What the byte 3 says shorter.
+  expect_bad_head({kind, 8, 0x19, 1, 2, 0x99, 0, 0}, corrupt,
+                  "the usual coder is named");
   expect_bad_head({kind, 8, 0x40, 24, 0, 0}, corrupt, "unknown flags");
   expect_bad_head({kind, 8, 0x44, 28, 0, 0}, corrupt, "unknown flags");
   expect_bad_head({kind, 8, 0x81, 1, 0, 0}, corrupt, "usual head");

@@ -31,6 +31,18 @@ def canonical(paths):
     return data
 
 
+def stated_table(data, at, head):
+    """The rest of Path head, Coder name."""
+    if head & 3 == 1:
+        _, at = varint(data, at)
+    for bit in (32, 16):
+        if head & bit:
+            _, at = varint(data, at)
+    if data[at] not in (25, 25 | 128):
+        raise Damaged("another coder than 25")
+    return data[at] >> 7, at + 1
+
+
 def decode(data, start):
     """Start of every file, Short form. Returns the paths."""
     flags = data[4]
@@ -44,14 +56,9 @@ def decode(data, start):
     head, at = data[at], at + 1
     if flags & 8 or head & 128:
         raise Damaged("another coder than 25")
-    if head & 3 == 1:
-        _, at = varint(data, at)
-    for bit in (32, 16):
-        if head & bit:
-            _, at = varint(data, at)
-    if data[at] not in (25, 25 | 128):
-        raise Damaged("another coder than 25")
-    table, at = data[at] >> 7, at + 1
+    table = 1
+    if head != 3:
+        table, at = stated_table(data, at, head)
     count, at = varint(data, at)
     elements, at = varint(data, at)
     stored, payload = data[at:at + 4], data[at + 4:]

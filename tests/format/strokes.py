@@ -1,4 +1,5 @@
 """Section "Coder 25: strokes" of docs/format.md."""
+import re
 from collections import namedtuple
 
 from entropy import K, STRETCH, Damaged, Interval, Mixer, clamp, top, update
@@ -6,34 +7,36 @@ from shape_numbers import GAP, RISE, Numbers
 from shapes import NONE, Known, clip, join
 from turns import mix
 from vector_classes import direction, less, size
-from vector_models import texts_of
+from vector_models import FOLDER, number_of
 from vectors import Elements
 
 LIMIT = 2**30 - 1
-FIRST_PATHS = 1520, 3169
-FIRST_BYTES = "stroke_warm_start_table.cpp"
+LESSONS = "stroke_warm_start_table.cpp"
 Path = namedtuple("Path", "origin closed pen elements")
 Word = namedtuple("Word", "first count box")
 
 
 class Counted(Numbers):
-    """Six contexts of 2^14 counters."""
+    """Six contexts of 2^16 counters."""
 
     def __init__(self):
         self.coder = None
         self.counters = [{} for _ in range(6)]
-        self.mixer = Mixer((1024, 1024), ([1024] * 12 + [0] * 4,))
+        self.mixer = Mixer((1024, 1024, 1024), ([1024] * 12 + [0] * 4,))
 
     def decide(self, field, values, node):
         name = (field << 27) + node
-        counters = [table.setdefault(top(14, mix(v + i, name) * K),
+        counters = [table.setdefault(top(16, mix(v + i, name) * K),
                                      [32768, 0])
                     for i, (table, v) in enumerate(zip(self.counters, values))]
         x = []
         for p, n in counters:
             x += [STRETCH[p >> 4], (p - 32768) * 51 * min(n, 30) >> 16]
+        known = sum(n > 0 for _, n in counters)
+        well = sum(n > 6 for _, n in counters)
         p = self.mixer.predict(x + [77, 0, 0, 0],
-                               (72 * field + min(node, 71), field))
+                               (72 * field + min(node, 71), field,
+                                7 * known + well))
         bit = self.coder.decode(clamp(p, 8, 65528), "")
         self.mixer.learn(bit)
         for counter in counters:
@@ -110,7 +113,7 @@ class Strokes:
         if self.count:
             self.bits = self.m.items.small(5, 2, range(6))
             self.unit = 1 << self.bits
-            self.m.vectors.frame(self.coder)
+            self.m.vectors.arcs_frame(self.coder)
         while len(self.paths) < self.count:
             self.item()
         if self.left:
@@ -388,11 +391,17 @@ class Strokes:
 
 def trained():
     """Models that have learned table 1."""
-    bits = sum(n << 6 * i for i, n in
-               enumerate(reversed(texts_of(FIRST_BYTES)[0])))
-    count = 6 * len(texts_of(FIRST_BYTES)[0])
-    payload = (bits >> count % 8).to_bytes(count // 8, "big")
-    models, coder = Models(), Interval(payload, False)
-    Strokes(coder, models, *FIRST_PATHS).run()
-    coder.check_end()
+    models = Models()
+    source = (FOLDER / LESSONS).read_text("ascii").split("kLessons[]")[1]
+    for paths, elements, text in re.findall(
+            r'\{(\d+), (\d+),\s*((?:"[^"]*"\s*)+)', source):
+        text = "".join(re.findall(r'"([^"]*)"', text))
+        bits = 0
+        for c in text:
+            bits = bits << 6 | number_of(c)
+        count = 6 * len(text)
+        coder = Interval((bits >> count % 8).to_bytes(count // 8, "big"),
+                         False)
+        Strokes(coder, models, int(paths), int(elements)).run()
+        coder.check_end()
     return models

@@ -16,9 +16,12 @@ def texts_of(name):
     """The texts of a table, each as a list of numbers of six bits."""
     source = (FOLDER / name).read_text("ascii").split("Table kTable")[1]
     texts = re.findall(r'(?:"[^"]*"\s*)+', source)
-    return [[44 if c == "p" else ord(c) - 48
-             for c in "".join(re.findall(r'"([^"]*)"', text))]
+    return [[number_of(c) for c in "".join(re.findall(r'"([^"]*)"', text))]
             for text in texts]
+
+
+def number_of(character):
+    return 44 if character == "p" else ord(character) - 48
 
 
 def bit(coder, counter):

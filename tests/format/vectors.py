@@ -18,8 +18,11 @@ class Elements:
         self.recent = 0
         self.circles = Arcs()
 
-    def frame(self, coder):
+    def arcs_frame(self, coder):
         self.arcs = coder.decode(RAW, "")
+
+    def frame(self, coder):
+        self.arcs_frame(coder)
         for p in (1024, 4096, 49152, 16384, RAW, RAW):
             coder.decode(p, "")
 
