@@ -167,7 +167,7 @@ class LookMemory {
   int shift_;
   std::vector<Head> heads_;
   std::size_t head_steps_;
-  unsigned quarter_ = 0;  ///< of the codes, as a direction
+  unsigned quarter_ = 0;              ///< of the codes, as a direction
   std::vector<std::uint64_t> words_;  ///< 2 bits a step
   std::array<Point, 4> quarters_;
 };

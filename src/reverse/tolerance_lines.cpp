@@ -53,8 +53,7 @@ class Look {
     const std::uint64_t word = memory_->word_at(index);
     if (limit - from.index >= memory_->head_steps()) {
       const LookMemory::Head& head = memory_->head(word);
-      if (head.is_done())
-        return after(from, memory_->found(head.ends(), word));
+      if (head.is_done()) return after(from, memory_->found(head.ends(), word));
     }
     const LookMemory::Ends* known = memory_->find(word, limit - from.index);
     if (known != nullptr) return after(from, memory_->found(*known, word));
@@ -284,9 +283,9 @@ bool Look::begin_near(std::uint64_t word, Near& state) {
     memory_->keep_done(word, found_by(state));
     return false;
   }
-  memory_->keep_begun(
-      word, {found_by(state), NearDirections::offset_of(state.place),
-             state.farthest2, state.left, state.right});
+  memory_->keep_begun(word,
+                      {found_by(state), NearDirections::offset_of(state.place),
+                       state.farthest2, state.left, state.right});
   return true;
 }
 
@@ -307,11 +306,11 @@ LookMemory::Found Look::look_and_keep(std::uint64_t word,
 }
 
 /// Lays line after line from a vertex to point `last`, until take(end) is false
-/// of a line's end. No line stands for more than `reach` steps. Each goes as far
-/// as it can, unless the line after it would then be short for its neighbourhood
-/// and gets farther from the point before: the farthest point is often on the
-/// wrong side of the chain to go on from. That look ahead brings the lines from
-/// 1.05-1.14 of the optimum to 1.02-1.07 and costs half a pass.
+/// of a line's end. No line stands for more than `reach` steps. Each goes as
+/// far as it can, unless the line after it would then be short for its
+/// neighbourhood and gets farther from the point before: the farthest point is
+/// often on the wrong side of the chain to go on from. That look ahead brings
+/// the lines from 1.05-1.14 of the optimum to 1.02-1.07 and costs half a pass.
 template <class Take>
 void lay_lines(Look& look, LineVertex at, std::size_t last, std::size_t reach,
                const Take& take) {
@@ -324,8 +323,8 @@ void lay_lines(Look& look, LineVertex at, std::size_t last, std::size_t reach,
     LineVertex end = ends.farthest;
     if (end.index < last) {
       Ends onward = look_from(end);
-      const bool is_short = 2 * (onward.farthest.index - end.index) <=
-                            3 * (end.index - at.index);
+      const bool is_short =
+          2 * (onward.farthest.index - end.index) <= 3 * (end.index - at.index);
       if (is_short && ends.before.index > at.index &&
           onward.farthest.index < last) {
         const Ends other = look_from(ends.before);
