@@ -16,10 +16,6 @@ std::uint64_t pack_eight(const Step* steps) {
   return (codes | codes >> 24) & 0xFFFFU;
 }
 
-std::int8_t along(Point p, Point axis) {
-  return static_cast<std::int8_t>(p.x * axis.x + p.y * axis.y);
-}
-
 }  // namespace
 
 LookMemory::LookMemory(std::size_t steps) {
@@ -27,8 +23,6 @@ LookMemory::LookMemory(std::size_t steps) {
       std::clamp(static_cast<int>(std::bit_width(steps / 4)), 8, 14);
   entries_.resize(std::size_t{1} << bits);
   shift_ = 64 - bits;
-  head_steps_ = static_cast<std::size_t>(bits / 2 + 1);
-  heads_.resize(std::size_t{1} << 2 * (head_steps_ - 1));
 }
 
 void LookMemory::begin(const ChainWalk& chain) {
@@ -38,9 +32,6 @@ void LookMemory::begin(const ChainWalk& chain) {
   for (std::size_t i = 0; i < quarters_.size(); ++i) {
     quarters_[i] = chain.delta(static_cast<Step>(2 * i));
   }
-  const bool counter_clockwise =
-      quarters_[0].x * quarters_[1].y - quarters_[0].y * quarters_[1].x > 0;
-  quarter_ = counter_clockwise ? 1U << 14 : 3U << 14;
   const std::size_t needed = steps.size() + kSteps;
   words_.resize(needed / kSteps + 3);
   std::size_t i = 0;
@@ -63,43 +54,24 @@ void LookMemory::begin(const ChainWalk& chain) {
   }
 }
 
-/// The steps' moves are unit vectors, so coordinates are products.
-LookMemory::Ends LookMemory::into_frame(std::uint64_t word,
-                                        const Found& found) const {
-  const Point first = quarters_[word & 3];
-  const Point second = quarters_[(word + 1) & 3];
-  return {static_cast<std::uint8_t>(found.farthest_after),
-          static_cast<std::uint8_t>(found.before_after),
-          along(found.farthest, first),
-          along(found.farthest, second),
-          along(found.before, first),
-          along(found.before, second)};
-}
-
 void LookMemory::keep(std::uint64_t word, std::size_t seen,
                       const Found& found) {
   const std::uint64_t turned = turn_to_first(word);
-  entries_[place_of(turned)] = {
-      turned, static_cast<std::uint8_t>(62 - 2 * seen),
-      static_cast<std::uint8_t>(seen), into_frame(word, found)};
-}
-
-void LookMemory::keep_done(std::uint64_t word, const Found& found) {
-  Head& head = heads_[head_of(word)];
-  head.kind_ = Head::kDone;
-  head.ends_ = into_frame(word, found);
-}
-
-void LookMemory::keep_begun(std::uint64_t word, const Begun& begun) {
-  const std::uint16_t turn = quarters_of(word);
-  Head& head = heads_[head_of(word)];
-  head.kind_ = Head::kGoesOn;
-  head.farthest2_ = static_cast<std::uint8_t>(begun.farthest2);
-  head.ends_ = into_frame(word, begun.found);
-  head.left_ = static_cast<std::uint16_t>(begun.left - turn);
-  head.right_ = static_cast<std::uint16_t>(begun.right - turn);
-  head.at_x_ = along(begun.at, quarters_[word & 3]);
-  head.at_y_ = along(begun.at, quarters_[(word + 1) & 3]);
+  // The steps' moves are unit vectors, so coordinates are products.
+  const Point first = quarters_[word & 3];
+  const Point second = quarters_[(word + 1) & 3];
+  const auto along = [](Point p, Point axis) {
+    return static_cast<std::int8_t>(p.x * axis.x + p.y * axis.y);
+  };
+  entries_[place_of(turned)] = {turned,
+                                static_cast<std::uint8_t>(62 - 2 * seen),
+                                static_cast<std::uint8_t>(seen),
+                                static_cast<std::uint8_t>(found.farthest_after),
+                                static_cast<std::uint8_t>(found.before_after),
+                                along(found.farthest, first),
+                                along(found.farthest, second),
+                                along(found.before, first),
+                                along(found.before, second)};
 }
 
 }  // namespace unstep::reverse

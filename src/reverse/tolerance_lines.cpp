@@ -42,43 +42,48 @@ class Look {
       memory_ = memory;
   }
 
-  /// Looks no farther than `limit`. Mostly the memory knows at once; nothing of
-  /// that is written to be read again soon in other pieces, which would take
-  /// longer than all the rest.
+  /// Looks no farther than `limit`.
   /// REQUIRES: from.index < limit, and `from` on the chain.
   Ends ends(const LineVertex& from, std::size_t limit) {
-    if (memory_ == nullptr) return after(from, look(from, limit));
+    if (memory_ == nullptr) {
+      look(from, limit);
+      return after(from, seen());
+    }
     std::size_t index = from.index;
     while (index >= chain_.size()) index -= chain_.size();
     const std::uint64_t word = memory_->word_at(index);
-    if (limit - from.index >= memory_->head_steps()) {
-      const LookMemory::Head& head = memory_->head(word);
-      if (head.is_done()) return after(from, memory_->found(head.ends(), word));
+    std::optional<LookMemory::Found> found =
+        memory_->find(word, limit - from.index);
+    if (!found) {
+      look(from, limit);
+      found = seen();
+      const std::size_t steps = index_ - from.index;
+      if (near_done_ && steps < LookMemory::kSteps && index_ < limit)
+        memory_->keep(word, steps, *found);
     }
-    const LookMemory::Ends* known = memory_->find(word, limit - from.index);
-    if (known != nullptr) return after(from, memory_->found(*known, word));
-    return after(from, look_and_keep(word, from, limit));
+    return after(from, *found);
   }
 
  private:
+  /// What the last look found.
+  [[nodiscard]] LookMemory::Found seen() const {
+    return {farthest_index_ - from_, before_index_ - from_, farthest_, before_};
+  }
   static Ends after(const LineVertex& from, const LookMemory::Found& found) {
     return {{from.index + found.farthest_after, moved(from.at, found.farthest)},
             {from.index + found.before_after, moved(from.at, found.before)}};
   }
 
-  [[gnu::noinline]] LookMemory::Found look(const LineVertex& from,
-                                           std::size_t limit);
-  [[gnu::noinline]] LookMemory::Found look_and_keep(std::uint64_t word,
-                                                    const LineVertex& from,
-                                                    std::size_t limit);
-
-  void begin(const LineVertex& from, std::size_t limit) {
+  void look(const LineVertex& from, std::size_t limit) {
     from_ = from.index;
     limit_ = limit;
-  }
-  /// What the last look found.
-  [[nodiscard]] LookMemory::Found seen() const {
-    return {farthest_index_ - from_, before_index_ - from_, farthest_, before_};
+    index_ = from.index;
+    offset_ = farthest_ = before_ = {};
+    farthest_index_ = before_index_ = from.index;
+    stop_ = std::min(limit, from.index + kPatience);
+    near_done_ = near_ != nullptr && is_done_near(*near_);
+    if (near_ == nullptr) cone().restart();
+    if (!near_done_) look_far();
   }
 
   void found(Point offset) {
@@ -110,31 +115,16 @@ class Look {
     }
   }
 
-  /// A look among the near points. Directions are places in their order.
-  struct Near {
-    std::int32_t place = NearDirections::kApex;
-    std::int32_t farthest = place;
-    std::int32_t before = place;
-    std::size_t looked = 0;  ///< steps from the apex
-    std::size_t farthest_after = 0;
-    std::size_t before_after = 0;
-    std::int32_t farthest2 = 0;
-    std::uint16_t left = 0;
-    std::uint16_t right = 0;
-  };
-  enum class Stopped : std::uint8_t { done, outside, paused };
-
-  Stopped walk_near(const NearDirections& near, Near& state,
-                    std::size_t pause) const;
-  bool finish_near(Near state);
-  bool begin_near(std::uint64_t word, Near& state);
-  static LookMemory::Found found_by(const Near& state);
+  /// The same among the near points. False if it leaves them: the cone is then
+  /// that of all points before.
+  bool is_done_near(const NearDirections& near);
 
   const ChainWalk& chain_;
   PathTolerance tolerance_;
   std::optional<Cone> cone_;
   const NearDirections* near_;
   LookMemory* memory_ = nullptr;
+  bool near_done_ = false;  ///< the last look went no farther
   std::array<std::int32_t, 8> moves_;
   std::size_t from_ = 0;
   std::size_t limit_ = 0;
@@ -147,207 +137,150 @@ class Look {
   Point before_;
 };
 
-/// Goes on until the look is done, leaves the near points or has seen `pause`
-/// steps.
-Look::Stopped Look::walk_near(const NearDirections& near, Near& state,
-                              std::size_t pause) const {
-  // A copy: all that changes stays in registers.
-  Near s = state;
+bool Look::is_done_near(const NearDirections& near) {
+  // Locals: all that changes stays in registers.
   const std::int32_t near2 = near.near2();
   const std::span<const Step> steps = chain_.steps();
   const Step* const first = steps.data();
   const Step* const last = first + steps.size();
-  const Step* next = first + (from_ + s.looked) % steps.size();
+  const Step* next = first + index_ % steps.size();
+  std::int32_t place = NearDirections::kApex;
+  std::int32_t farthest = place;
+  std::int32_t before = place;
+  std::size_t looked = 0;  // steps from the apex
+  std::size_t farthest_after = 0;
+  std::size_t before_after = 0;
   const std::size_t limit = limit_ - from_;
-  std::size_t stop = std::min(limit, 4 * s.farthest_after + kPatience);
+  std::size_t stop = stop_ - from_;
+  std::int32_t farthest2 = 0;
+  std::uint16_t left = 0;
+  std::uint16_t right = 0;
   // Signed: counter-clockwise, by less than half a turn.
   const auto from_to = [](std::uint16_t a, std::uint16_t b) {
     return static_cast<std::int16_t>(static_cast<std::uint16_t>(b - a));
   };
-  const auto end = [&](Stopped how) {
-    state = s;
-    return how;
+  const auto end = [&](bool done) {
+    index_ = from_ + looked;
+    offset_ = NearDirections::offset_of(place);
+    stop_ = from_ + stop;
+    farthest_ = NearDirections::offset_of(farthest);
+    farthest_index_ = from_ + farthest_after;
+    before_ = NearDirections::offset_of(before);
+    before_index_ = from_ + before_after;
+    return done;
   };
-  while (s.looked < pause) {
+  for (;;) {
     const Step step = *next;
-    const std::int32_t there = s.place + moves_[step];
+    const std::int32_t there = place + moves_[step];
     const NearDirections::Entry q = near.at(there);
-    if (q.r2 == NearDirections::kOutside) return end(Stopped::outside);
+    if (q.r2 == NearDirections::kOutside) {
+      cone().resume(farthest2, {near.vector_of(left), near.vector_of(right)});
+      return end(false);
+    }
     if (++next == last) next = first;
-    s.place = there;
-    ++s.looked;
+    place = there;
+    ++looked;
     const bool is_end =
-        s.farthest2 <= near2
+        farthest2 <= near2
             ? q.r2 != 0
-            : (static_cast<int>(q.r2 + near2 >= s.farthest2) &
-               static_cast<int>(from_to(s.right, q.direction) >= 0) &
-               static_cast<int>(from_to(q.direction, s.left) >= 0)) != 0;
-    s.before = is_end ? s.farthest : s.before;
-    s.before_after = is_end ? s.farthest_after : s.before_after;
-    s.farthest = is_end ? s.place : s.farthest;
-    s.farthest_after = is_end ? s.looked : s.farthest_after;
-    stop = is_end ? std::min(limit, 4 * s.looked + kPatience) : stop;
-    if (s.looked >= stop) return end(Stopped::done);
+            : (static_cast<int>(q.r2 + near2 >= farthest2) &
+               static_cast<int>(from_to(right, q.direction) >= 0) &
+               static_cast<int>(from_to(q.direction, left) >= 0)) != 0;
+    before = is_end ? farthest : before;
+    before_after = is_end ? farthest_after : before_after;
+    farthest = is_end ? place : farthest;
+    farthest_after = is_end ? looked : farthest_after;
+    stop = is_end ? std::min(limit, 4 * looked + kPatience) : stop;
+    if (looked >= stop) return end(true);
     NearDirections::Range sides{q.left, q.right};
-    if (q.r2 < s.farthest2) {
-      if (s.farthest2 <= near2 || *next == step) continue;
+    if (q.r2 < farthest2) {
+      if (farthest2 <= near2 || *next == step) continue;
       if (q.r2 <= near2) {
-        if (near.holds_all(s.farthest2, q.r2)) continue;
-        if (q.r2 == 0) return end(Stopped::done);
+        if (near.holds_all(farthest2, q.r2)) continue;
+        if (q.r2 == 0) return end(true);
       }
-      const int quarters = near.quarters(s.farthest2, q.r2);
-      if (quarters > 4) return end(Stopped::done);
-      sides = near.waiting(s.place, quarters);
+      const int quarters = near.quarters(farthest2, q.r2);
+      if (quarters > 4) return end(true);
+      sides = near.waiting(place, quarters);
     } else {
-      const bool bounded = s.farthest2 > near2;
-      s.farthest2 = q.r2;
+      const bool bounded = farthest2 > near2;
+      farthest2 = q.r2;
       if (q.r2 <= near2) continue;
       if (!bounded) {
-        s.left = sides.left;
-        s.right = sides.right;
+        left = sides.left;
+        right = sides.right;
         continue;
       }
     }
     // As Cone::narrow().
-    const bool tighter_left = from_to(sides.left, s.left) >= 0;
-    const bool tighter_right = from_to(s.right, sides.right) >= 0;
-    const std::int16_t of_left = tighter_left ? from_to(s.right, sides.left)
-                                              : from_to(sides.right, s.left);
-    const std::int16_t of_right = tighter_right ? from_to(sides.right, s.left)
-                                                : from_to(s.right, sides.left);
-    if ((of_left | of_right) < 0) return end(Stopped::done);
-    s.left = tighter_left ? sides.left : s.left;
-    s.right = tighter_right ? sides.right : s.right;
+    const bool tighter_left = from_to(sides.left, left) >= 0;
+    const bool tighter_right = from_to(right, sides.right) >= 0;
+    const std::int16_t of_left =
+        tighter_left ? from_to(right, sides.left) : from_to(sides.right, left);
+    const std::int16_t of_right =
+        tighter_right ? from_to(sides.right, left) : from_to(right, sides.left);
+    if ((of_left | of_right) < 0) return end(true);
+    left = tighter_left ? sides.left : left;
+    right = tighter_right ? sides.right : right;
   }
-  return end(Stopped::paused);
 }
 
-LookMemory::Found Look::found_by(const Near& state) {
-  return {state.farthest_after, state.before_after,
-          NearDirections::offset_of(state.farthest),
-          NearDirections::offset_of(state.before)};
-}
+/// Lays line after line. Each goes as far as it can, unless the line after it
+/// would then be short for its neighbourhood and gets farther from the point
+/// before: the farthest point is often on the wrong side of the chain to go
+/// on from. That look ahead brings the lines from 1.05-1.14 of the optimum to
+/// 1.02-1.07 and costs half a pass.
+class OnePass {
+ public:
+  /// `reach`: the most steps that a line may stand for.
+  OnePass(Look& look, std::size_t reach) : look_(look), reach_(reach) {}
 
-/// Goes on among the near points and beyond. True if it stayed there.
-bool Look::finish_near(Near state) {
-  const Stopped stopped = walk_near(*near_, state, std::size_t{0} - 1);
-  const LookMemory::Found found = found_by(state);
-  index_ = from_ + state.looked;
-  offset_ = NearDirections::offset_of(state.place);
-  stop_ = std::min(limit_, from_ + 4 * found.farthest_after + kPatience);
-  farthest_ = found.farthest;
-  farthest_index_ = from_ + found.farthest_after;
-  before_ = found.before;
-  before_index_ = from_ + found.before_after;
-  if (stopped == Stopped::done) return true;
-  // The cone of all points before.
-  cone().resume(state.farthest2,
-                {near_->vector_of(state.left), near_->vector_of(state.right)});
-  look_far();
-  return false;
-}
-
-LookMemory::Found Look::look(const LineVertex& from, std::size_t limit) {
-  begin(from, limit);
-  if (near_ != nullptr) {
-    finish_near(Near{});
-  } else {
-    offset_ = farthest_ = before_ = {};
-    farthest_index_ = before_index_ = index_ = from.index;
-    stop_ = std::min(limit, from.index + kPatience);
-    cone().restart();
-    look_far();
+  void begin(const LineVertex& from, std::size_t last) {
+    at_ = from;
+    last_ = last;
+    ends_ = look_from(from);
   }
-  return seen();
-}
 
-/// Goes the first steps of a word but the last, or remembers what it was like.
-/// False if the look is done there.
-bool Look::begin_near(std::uint64_t word, Near& state) {
-  const LookMemory::Head& head = memory_->head(word);
-  const std::size_t steps = memory_->head_steps() - 1;
-  if (head.is_known()) {
-    const LookMemory::Begun begun = memory_->begun(head, word);
-    state = {NearDirections::place_of(begun.at),
-             NearDirections::place_of(begun.found.farthest),
-             NearDirections::place_of(begun.found.before),
-             steps,
-             begun.found.farthest_after,
-             begun.found.before_after,
-             begun.farthest2,
-             begun.left,
-             begun.right};
-    return true;
-  }
-  if (walk_near(*near_, state, steps) == Stopped::done) {
-    memory_->keep_done(word, found_by(state));
-    return false;
-  }
-  memory_->keep_begun(word,
-                      {found_by(state), NearDirections::offset_of(state.place),
-                       state.farthest2, state.left, state.right});
-  return true;
-}
-
-/// With the help of the memory, which learns from it. `word`: of the steps from
-/// there on.
-LookMemory::Found Look::look_and_keep(std::uint64_t word,
-                                      const LineVertex& from,
-                                      std::size_t limit) {
-  begin(from, limit);
-  Near state;
-  if (limit - from_ >= memory_->head_steps() && !begin_near(word, state))
-    return found_by(state);
-  const bool near = finish_near(state);
-  const std::size_t steps = index_ - from_;
-  if (near && steps < LookMemory::kSteps && index_ < limit)
-    memory_->keep(word, steps, seen());
-  return seen();
-}
-
-/// Lays line after line from a vertex to point `last`, until take(end) is false
-/// of a line's end. No line stands for more than `reach` steps. Each goes as
-/// far as it can, unless the line after it would then be short for its
-/// neighbourhood and gets farther from the point before: the farthest point is
-/// often on the wrong side of the chain to go on from. That look ahead brings
-/// the lines from 1.05-1.14 of the optimum to 1.02-1.07 and costs half a pass.
-template <class Take>
-void lay_lines(Look& look, LineVertex at, std::size_t last, std::size_t reach,
-               const Take& take) {
-  const auto look_from = [&](const LineVertex& from) {
-    return look.ends(from, std::min(last, from.index + reach));
-  };
-  if (at.index >= last) return;
-  Ends ends = look_from(at);
-  for (;;) {
-    LineVertex end = ends.farthest;
-    if (end.index < last) {
+  /// The end of the next line. REQUIRES: the last one was before `last`.
+  LineVertex next() {
+    LineVertex end = ends_.farthest;
+    if (end.index < last_) {
       Ends onward = look_from(end);
-      const bool is_short =
-          2 * (onward.farthest.index - end.index) <= 3 * (end.index - at.index);
-      if (is_short && ends.before.index > at.index &&
-          onward.farthest.index < last) {
-        const Ends other = look_from(ends.before);
+      const bool is_short = 2 * (onward.farthest.index - end.index) <=
+                            3 * (end.index - at_.index);
+      if (is_short && ends_.before.index > at_.index &&
+          onward.farthest.index < last_) {
+        const Ends other = look_from(ends_.before);
         if (other.farthest.index > onward.farthest.index) {
-          end = ends.before;
+          end = ends_.before;
           onward = other;
         }
       }
-      ends = onward;
+      ends_ = onward;
     }
-    at = end;
-    if (!take(end) || end.index >= last) return;
+    at_ = end;
+    return end;
   }
-}
+
+ private:
+  [[nodiscard]] Ends look_from(const LineVertex& from) const {
+    return look_.ends(from, std::min(last_, from.index + reach_));
+  }
+
+  Look& look_;
+  std::size_t reach_;
+  std::size_t last_ = 0;
+  LineVertex at_;
+  Ends ends_;
+};
 
 /// Lines from the last vertex to exactly `last`.
 void append_lines(const ChainWalk& chain, std::size_t last, Look& look,
                   LineVertices& vertices) {
-  lay_lines(look, vertices.back(), last, chain.size(),
-            [&vertices](const LineVertex& end) {
-              vertices.push_back(end);
-              return true;
-            });
+  if (vertices.back().index >= last) return;
+  OnePass lines(look, chain.size());
+  lines.begin(vertices.back(), last);
+  while (vertices.back().index < last) vertices.push_back(lines.next());
 }
 
 /// Closed chain: lines go on round the ring until they come to a vertex that
@@ -360,17 +293,17 @@ LineVertices fit_ring(const ChainWalk& chain, Look& look) {
   vertices.reserve(usual_lines(lap));
   vertices.push_back({0, chain.origin()});
   std::size_t before = 0;  // the first vertex not passed again
-  bool is_closed = false;
-  lay_lines(look, vertices.front(), 4 * lap, lap, [&](const LineVertex& end) {
-    vertices.push_back(end);
-    while (vertices[before].index + lap < end.index) ++before;
-    is_closed = vertices[before].index + lap == end.index;
-    return !is_closed && end.index < 2 * lap;
-  });
-  if (is_closed) {
-    vertices.erase(vertices.begin(),
-                   vertices.begin() + static_cast<std::ptrdiff_t>(before));
-    return vertices;
+  OnePass lines(look, lap);
+  lines.begin(vertices.front(), 4 * lap);
+  while (vertices.back().index < 2 * lap) {
+    vertices.push_back(lines.next());
+    const std::size_t now = vertices.back().index;
+    while (vertices[before].index + lap < now) ++before;
+    if (vertices[before].index + lap == now) {
+      vertices.erase(vertices.begin(),
+                     vertices.begin() + static_cast<std::ptrdiff_t>(before));
+      return vertices;
+    }
   }
   LineVertices forced{vertices[1]};
   append_lines(chain, forced.front().index + lap, look, forced);
@@ -458,11 +391,10 @@ void fit_lines_between(const ChainWalk& chain, PathTolerance tolerance,
                        std::size_t last, std::size_t longest,
                        LineVertices& vertices) {
   Look look(chain, tolerance, nullptr, nullptr);
-  lay_lines(look, vertices.back(), last, longest,
-            [&vertices](const LineVertex& end) {
-              vertices.push_back(end);
-              return true;
-            });
+  if (vertices.back().index >= last) return;
+  OnePass lines(look, longest);
+  lines.begin(vertices.back(), last);
+  while (vertices.back().index < last) vertices.push_back(lines.next());
 }
 
 }  // namespace unstep::reverse
