@@ -84,6 +84,31 @@ class PixelMixer {
     }
   }
 
+  /// The places of a decision and, on their way, those of the next.
+  class Ahead {
+   public:
+    /// The next decision is not the one after the last.
+    void skip() { is_found_ = false; }
+
+    /// Those of this decision. `find_this` and `find_next` find places: the
+    /// first is called where the last decision did not find them.
+    template <class FindThis, class FindNext>
+    const Places& move_on(const FindThis& find_this,
+                          const FindNext& find_next) {
+      Places& here = places_[turn_];
+      if (!is_found_) find_this(here);
+      turn_ ^= 1U;
+      find_next(places_[turn_]);
+      is_found_ = true;
+      return here;
+    }
+
+   private:
+    std::array<Places, 2> places_;
+    unsigned turn_ = 0;
+    bool is_found_ = false;
+  };
+
   template <class Coder>
   bool code(Coder& coder, bool bit, const Places& places, bool before,
             const Chosen& chosen) {

@@ -145,19 +145,19 @@ class DeepPixels {
   }
 
   /// The next pixel that code() gets is not the one after the last.
-  void skip() { is_found_ = false; }
+  void skip() { ahead_.skip(); }
 
   template <class Coder>
   bool code(Coder& coder, bool truth, const PixelWindow& window,
             std::uint64_t /*near*/, int /*near_p*/) {
     const bool before = window.before(1) != 0;
-    if (!is_found_) find(window, places_[turn_]);
-    const PixelMixer::Places& places = places_[turn_];
-    turn_ ^= 1U;
-    PixelWindow next = window;
-    next.move(false);
-    find(next, places_[turn_]);
-    is_found_ = true;
+    const PixelMixer::Places& places =
+        ahead_.move_on([&](PixelMixer::Places& here) { find(window, here); },
+                       [&](PixelMixer::Places& next) {
+                         PixelWindow after = window;
+                         after.move(false);
+                         find(after, next);
+                       });
     return mixer_.code(coder, truth, places, before,
                        {window.before(3) | window.cut(1, 2, 3) << 3,
                         window.before(2) | window.cut(1, 1, 1) << 2 |
@@ -182,9 +182,7 @@ class DeepPixels {
   }
 
   PixelMixer mixer_{kBits, {512, 128}};
-  std::array<PixelMixer::Places, 2> places_;
-  unsigned turn_ = 0;
-  bool is_found_ = false;
+  PixelMixer::Ahead ahead_;
 };
 
 }  // namespace unstep::codec

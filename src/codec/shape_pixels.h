@@ -142,6 +142,20 @@ class ShapePixelOrder {
     std::uint64_t near, block, corner;
     int gate;  ///< the probability of the gate
   };
+  /// `row`: what of this row is to be seen. The gate is left open.
+  [[nodiscard]] Near near(std::int32_t x, std::uint64_t row) const {
+    const std::uint64_t r1 = above(1, x);
+    const std::uint64_t r2 = above(2, x);
+    std::uint64_t block = 0;
+    if (refers_) {
+      block = cut(matched(0, x), 1, 1) | cut(matched(-1, x), 1, 1) << 3 |
+              cut(matched(1, x), 1, 1) << 6;
+    }
+    return {row,   r1,
+            r2,    before(row, 4) | cut(r1, 3, 3) << 4 | cut(r2, 2, 2) << 11,
+            block, before(row, 2) | cut(r1, 1, 1) << 2,
+            0};
+  }
 
  private:
   static constexpr std::size_t kWords = (kMaxShapeSide + 64) / 64;
@@ -229,21 +243,10 @@ class ShapePixelOrder {
 
   template <class Coder>
   bool code_pixel(Coder& coder, bool truth, std::int32_t x) {
-    const std::uint64_t r0 = above(0, x);
-    const std::uint64_t r1 = above(1, x);
-    const std::uint64_t corner = before(r0, 2) | cut(r1, 1, 1) << 2;
-    const std::uint64_t r2 = above(2, x);
-    const std::uint64_t near =
-        before(r0, 4) | cut(r1, 3, 3) << 4 | cut(r2, 2, 2) << 11;
-    std::uint64_t block = 0;
-    std::uint64_t middle = 0;
-    if (refers_) {
-      middle = matched(0, x);
-      block = cut(middle, 1, 1) | cut(matched(-1, x), 1, 1) << 3 |
-              cut(matched(1, x), 1, 1) << 6;
-    }
+    Near n = near(x, above(0, x));
     entropy::Counter& gate =
-        gates_[refers_ ? 1U << 16 | block | corner << 9 : near];
+        gates_[refers_ ? 1U << 16 | n.block | n.corner << 9 : n.near];
+    n.gate = gate.p;
     const bool likely = gate.p >= 32768;
     const int rare = likely ? 65535 - gate.p : gate.p;
     bool bit = likely;
@@ -253,11 +256,10 @@ class ShapePixelOrder {
       model_.skip();
       if (bit == likely) return bit;
     } else {
-      bit = model_.code(coder, truth, x,
-                        Near{r0, r1, r2, near, block, corner, gate.p}, *this);
+      bit = model_.code(coder, truth, x, n, *this);
       gate.update(bit);
     }
-    const bool expected = (middle >> 31 & 1) != 0;
+    const bool expected = refers_ && (matched(0, x) >> 31 & 1) != 0;
     errors_before_ = errors_;
     errors_ += (bit != expected ? 4096 : 0) - errors_ / 16;
     return bit;
@@ -314,11 +316,13 @@ class MixedShapePixels {
     const auto cut = Order::cut;
     const auto before = Order::before;
     const bool last = (n.corner & 1) != 0;
-    if (!is_found_) find(x, order.quality_before(), order, places_[turn_]);
-    const PixelMixer::Places& places = places_[turn_];
-    turn_ ^= 1U;
-    find(x + 1, order.quality(), order, places_[turn_]);
-    is_found_ = true;
+    const PixelMixer::Places& places = ahead_.move_on(
+        [&](PixelMixer::Places& here) {
+          find(x, order.quality_before(), order, here);
+        },
+        [&](PixelMixer::Places& next) {
+          find(x + 1, order.quality(), order, next);
+        });
     PixelMixer::Chosen chosen;
     if (order.refers()) {
       chosen = {512 + n.block, 128 + (n.corner | order.quality() << 5)};
@@ -330,7 +334,7 @@ class MixedShapePixels {
   }
 
   /// The next pixel that code() gets is not the one after the last.
-  void skip() { is_found_ = false; }
+  void skip() { ahead_.skip(); }
 
   /// For training a warm start.
   [[nodiscard]] const PixelMixer::Mixer& mixer() const {
@@ -344,54 +348,45 @@ class MixedShapePixels {
             PixelMixer::Places& places) const {
     const auto cut = Order::cut;
     const auto before = Order::before;
-    const std::uint64_t r0 = order.above(0, x) & ~(std::uint64_t{1} << 32);
-    const std::uint64_t r1 = order.above(1, x);
-    const std::uint64_t r2 = order.above(2, x);
+    const typename Order::Near n =
+        order.near(x, order.above(0, x) & ~(std::uint64_t{1} << 32));
     const std::uint64_t r3 = order.above(3, x);
     const std::uint64_t r4 = order.above(4, x);
-    const std::uint64_t corner = before(r0, 2) | cut(r1, 1, 1) << 2;
-    const std::uint64_t near =
-        before(r0, 4) | cut(r1, 3, 3) << 4 | cut(r2, 2, 2) << 11;
     const std::uint64_t place = order.place(x);
     PixelMixer::Contexts c;
-    c[0] = before(r0, 6) | cut(r1, 4, 4) << 6 | cut(r2, 3, 3) << 15 |
+    c[0] = before(n.r0, 6) | cut(n.r1, 4, 4) << 6 | cut(n.r2, 3, 3) << 15 |
            cut(r3, 2, 2) << 22;
-    c[1] = before(r0, 8) | cut(r1, 6, 6) << 8 | cut(r2, 5, 5) << 21 |
+    c[1] = before(n.r0, 8) | cut(n.r1, 6, 6) << 8 | cut(n.r2, 5, 5) << 21 |
            cut(r3, 4, 4) << 32 | cut(r4, 2, 2) << 41;
-    c[2] = before(r0, 3) | cut(r1, 2, 6) << 3 | cut(r2, 2, 6) << 12 |
+    c[2] = before(n.r0, 3) | cut(n.r1, 2, 6) << 3 | cut(n.r2, 2, 6) << 12 |
            cut(r3, 2, 5) << 21;
-    c[3] = before(r0, 1) | cut(r1, 1, 3) << 1 | cut(r2, 1, 1) << 6 |
+    c[3] = before(n.r0, 1) | cut(n.r1, 1, 3) << 1 | cut(n.r2, 1, 1) << 6 |
            cut(r3, 1, 1) << 9 | cut(r4, 1, 1) << 12 |
            cut(order.above(5, x), 1, 1) << 15 |
            cut(order.above(6, x), 1, 1) << 18;
     if (order.refers()) {
       const std::uint64_t kind = 1ULL << 60 | quality << 56;
-      const std::uint64_t block = cut(order.matched(0, x), 1, 1) |
-                                  cut(order.matched(-1, x), 1, 1) << 3 |
-                                  cut(order.matched(1, x), 1, 1) << 6;
       const std::uint64_t wide = cut(order.matched(-2, x), 1, 1) |
                                  cut(order.matched(-1, x), 2, 2) << 3 |
                                  cut(order.matched(0, x), 2, 2) << 8 |
                                  cut(order.matched(1, x), 2, 2) << 13 |
                                  cut(order.matched(2, x), 1, 1) << 18;
-      c[4] = kind | block | corner << 9;
-      c[5] = kind | wide | (r1 >> 31 & 1) << 25;
-      c[6] = kind | block | near << 9;
-      c[7] = kind | block | place << 9;
+      c[4] = kind | n.block | n.corner << 9;
+      c[5] = kind | wide | (n.r1 >> 31 & 1) << 25;
+      c[6] = kind | n.block | n.near << 9;
+      c[7] = kind | n.block | place << 9;
     } else {
-      c[4] = before(r0, 7) | cut(r1, 5, 1) << 7;
-      c[5] =
-          cut(r1, 1, 1) | cut(r2, 1, 1) << 3 | cut(r3, 1, 1) << 6 | place << 9;
-      c[6] = corner | place << 5;
-      c[7] = near;
+      c[4] = before(n.r0, 7) | cut(n.r1, 5, 1) << 7;
+      c[5] = cut(n.r1, 1, 1) | cut(n.r2, 1, 1) << 3 | cut(r3, 1, 1) << 6 |
+             place << 9;
+      c[6] = n.corner | place << 5;
+      c[7] = n.near;
     }
     mixer_.find(c, places);
   }
 
   PixelMixer mixer_;
-  std::array<PixelMixer::Places, 2> places_;
-  unsigned turn_ = 0;
-  bool is_found_ = false;
+  PixelMixer::Ahead ahead_;
 };
 
 using ShapePixels = ShapePixelOrder<MixedShapePixels>;
