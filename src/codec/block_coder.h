@@ -50,7 +50,7 @@ inline constexpr std::uint8_t kCoderProgram = 28;  ///< programs, mixed models
 /// come.
 [[nodiscard]] constexpr CoderName usual_coder(PageKind kind) {
   switch (kind) {
-    case PageKind::ink: return {kCoderContours, 0, 1};
+    case PageKind::ink: return {kCoderContours, 1, 1};
     case PageKind::chains: return {kCoderChains, 0, 0};
     case PageKind::paths: return {kCoderPaths, 0, 1};
     case PageKind::program: break;

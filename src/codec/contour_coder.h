@@ -14,6 +14,7 @@ class ArithmeticEncoder;
 /// Coder 1: contours under mixed models, docs/format.md.
 namespace unstep::codec {
 
+class SmallTurnModel;
 class StartModel;
 enum class TurnViews : std::uint8_t;
 template <TurnViews>
@@ -23,15 +24,16 @@ struct Table;
 }
 
 /// The models of turns; they are the revisions of coder 1. The light one is
-/// for what is left beside shapes, the deep one for the max effort. There is no
-/// revision 1.
+/// for what is left beside shapes, the deep one for the max effort, that of
+/// small drawings is the deep one with a warm start of its own.
 inline constexpr std::uint8_t kContourStandard = 0;
+inline constexpr std::uint8_t kContourSmall = 1;
 inline constexpr std::uint8_t kContourFast = 2;
 inline constexpr std::uint8_t kContourLight = 3;
 inline constexpr std::uint8_t kContourDeep = 4;
 
 [[nodiscard]] constexpr bool is_contour_revision(std::uint8_t revision) {
-  return revision <= kContourDeep && revision != 1;
+  return revision <= kContourDeep;
 }
 
 /// log2 of the model's slots per context, a rule of the size only, so that it
@@ -41,6 +43,7 @@ inline constexpr std::uint8_t kContourDeep = 4;
                                                std::int32_t width,
                                                std::int32_t rows) {
   const std::int64_t pixels = std::int64_t{width} * rows;
+  if (revision == kContourSmall) return pixels < 40'000 ? 13 : 15;
   if (revision == kContourDeep) {
     return pixels < 40'000 ? 14 : pixels < 2'000'000 ? 16 : 18;
   }
@@ -73,7 +76,7 @@ Status code_contours(entropy::ArithmeticDecoder& coder, Bitmap& ink,
                      std::int32_t first_row, std::int32_t rows,
                      std::uint8_t revision, const BlockProgress& progress);
 
-/// For training a warm start: encodes from `start` with the standard model and
+/// For training warm starts: encodes from `start` with the standard model and
 /// tables of at least 2^16 slots, and shows the models as they are at the end.
 inline constexpr int kTrainingBits =
     19;  // some contexts have eight times fewer
@@ -82,6 +85,10 @@ using ModelVisitor = std::function<void(
 Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
                                                   const warm::Table& start,
                                                   const ModelVisitor& visit);
+/// The same with the model of small drawings.
+inline constexpr int kDeepTrainingBits = 17;
+using DeepVisitor = std::function<void(const SmallTurnModel& turns)>;
+Status encode_and_show_deep(const Bitmap& ink, const DeepVisitor& visit);
 
 Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,
                        std::int32_t first_row, std::int32_t rows,

@@ -14,6 +14,7 @@ std::uint64_t contour_memory(std::uint8_t revision, std::int32_t width,
   const std::uint64_t model =
       revision == kContourFast    ? FastTurnModel::memory(bits)
       : revision == kContourLight ? LightTurnModel::memory(bits)
+      : revision == kContourSmall ? SmallTurnModel::memory(bits)
       : revision == kContourDeep
           ? DeepTurnModel::memory(bits) + DeepStartModel::memory(width)
           : TurnModel::memory(bits);
@@ -59,9 +60,8 @@ Status decode_with(entropy::ArithmeticDecoder& coder, std::int32_t width,
                    std::int32_t rows, int table_bits,
                    const BlockProgress& progress, Sink sink) {
   DecoderSide<Sink> side(coder, std::move(sink));
-  ContourScan<DecoderSide<Sink>, Turns> scan(
-      side, width, rows, table_bits,
-      warm::table_for(width, rows, Turns::kClean));
+  ContourScan<DecoderSide<Sink>, Turns> scan(side, width, rows, table_bits,
+                                             first_table<Turns>(width, rows));
   return scan.run(progress);
 }
 
@@ -76,6 +76,9 @@ Status decode_part(entropy::ArithmeticDecoder& coder, std::int32_t width,
                                         std::move(sink));
     case kContourLight:
       return decode_with<LightTurnModel>(coder, width, rows, bits, progress,
+                                         std::move(sink));
+    case kContourSmall:
+      return decode_with<SmallTurnModel>(coder, width, rows, bits, progress,
                                          std::move(sink));
     case kContourDeep:
       return decode_with<DeepTurnModel>(coder, width, rows, bits, progress,

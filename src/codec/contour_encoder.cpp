@@ -69,9 +69,8 @@ Status encode_with(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
                    std::int32_t first_row, std::int32_t rows, int table_bits,
                    const BlockProgress& progress) {
   EncoderSide side(coder, ink, first_row, rows);
-  ContourScan<EncoderSide, Turns> scan(
-      side, ink.width(), rows, table_bits,
-      warm::table_for(ink.width(), rows, Turns::kClean));
+  ContourScan<EncoderSide, Turns> scan(side, ink.width(), rows, table_bits,
+                                       first_table<Turns>(ink.width(), rows));
   return scan.run(progress);
 }
 
@@ -87,6 +86,9 @@ Status code_contours(entropy::ArithmeticEncoder& coder, const Bitmap& ink,
                                         progress);
     case kContourLight:
       return encode_with<LightTurnModel>(coder, ink, first_row, rows, bits,
+                                         progress);
+    case kContourSmall:
+      return encode_with<SmallTurnModel>(coder, ink, first_row, rows, bits,
                                          progress);
     case kContourDeep:
       return encode_with<DeepTurnModel>(coder, ink, first_row, rows, bits,
@@ -118,6 +120,16 @@ Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
   if (!status) return status.error();
   visit(scan.turns(), scan.starts());
   return coder.finish();
+}
+
+Status encode_and_show_deep(const Bitmap& ink, const DeepVisitor& visit) {
+  entropy::ArithmeticEncoder coder;
+  EncoderSide side(coder, ink, 0, ink.height());
+  ContourScan<EncoderSide, SmallTurnModel> scan(
+      side, ink.width(), ink.height(), kDeepTrainingBits, warm::kSmall);
+  Status status = scan.run({});
+  if (status) visit(scan.turns());
+  return status;
 }
 
 }  // namespace unstep::codec

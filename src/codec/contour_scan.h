@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "codec/block_coder.h"
@@ -12,6 +13,13 @@
 #include "codec/turn_model.h"
 
 namespace unstep::codec {
+
+/// The warm start of a block.
+template <class Turns>
+const warm::Table& first_table(std::int32_t width, std::int32_t rows) {
+  if constexpr (std::is_same_v<Turns, SmallTurnModel>) return warm::kSmall;
+  return warm::table_for(width, rows, Turns::kClean);
+}
 
 /// Coder 1, both sides: the contours of a raster, found in raster order and
 /// walked one by one. Encoder and decoder run this same code; `Side` is what

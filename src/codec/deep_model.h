@@ -199,6 +199,29 @@ class DeepModel {
         static_cast<std::uint8_t>((1U << outcomes) | ((1U << ones) - 1));
   }
 
+  /// For a warm start: vector `number`, counted through the sets, begins with
+  /// these weights, 12 fractional bits.
+  void begin(std::size_t number, const Weights& weights) {
+    mixer_.begin(number, weights);
+  }
+
+  /// What was learned, for training a warm start: calls `apply(upper_bits,
+  /// node, p, age)` for what know() would have to be told of context i. Of
+  /// 2^16 slots or more.
+  template <class Apply>
+  void for_each_known(std::size_t i, Apply apply) const {
+    for (std::uint32_t k = 0; k < (1U << bits_); ++k) {
+      const Slot& slot = slots_[(i << bits_) + k];
+      if (slot.check == 0) continue;
+      const std::uint32_t upper = (k >> (bits_ - 16)) << 12 | (slot.check - 1U);
+      for (std::size_t node = 0; node < kNodes; ++node) {
+        const std::uint32_t age = slot.state[node] & kMostAge;
+        if (age > 0) apply(upper, node, slot.state[node] >> 16, age);
+      }
+    }
+  }
+  [[nodiscard]] const Mixer& mixer() const { return mixer_; }
+
  private:
   static constexpr std::size_t kPasts = 2048;  ///< levels of age and outcomes
   static constexpr std::uint32_t kMostAge = 1023;

@@ -63,12 +63,31 @@ DeepTurnModel::DeepTurnModel(const CrackMap& cracks, int table_bits,
                              const warm::Table& start)
     : TurnWalk(cracks), model_(table_bits, kSizes, first_weights(start)) {
   for (std::size_t i = 0; i < warm::kTurnContexts; ++i) {
-    start.for_each(i, [&](const warm::Record& record) {
-      for (std::size_t node = 0; node < 2; ++node) {
-        model_.know(i, std::uint32_t{record.index} << 12 | record.check, node,
-                    record.p[node], record.n[node]);
-      }
-    });
+    start.for_each(i, [&](const warm::Record& record) { know(i, record); });
+  }
+}
+
+DeepTurnModel::DeepTurnModel(const CrackMap& cracks, int table_bits,
+                             const warm::DeepTable& start)
+    : TurnWalk(cracks), model_(table_bits, kSizes, start.weights) {
+  static_assert(Model::kInputs == warm::DeepTable::kInputs);
+  static_assert(kContexts == warm::DeepTable::kContexts);
+  for (std::size_t i = 0; i < kContexts; ++i) {
+    warm::for_each_record(start.records, start.counts, i,
+                          [&](const warm::Record& record) { know(i, record); });
+  }
+  warm::for_each_vector<Model::kInputs, warm::DeepTable::kNumber>(
+      start.vectors,
+      [&](std::size_t number) { return start.weights[number % 2]; },
+      [&](std::size_t number, const auto& weights) {
+        model_.begin(number, weights);
+      });
+}
+
+void DeepTurnModel::know(std::size_t context, const warm::Record& record) {
+  for (std::size_t node = 0; node < 2; ++node) {
+    model_.know(context, std::uint32_t{record.index} << 12 | record.check, node,
+                record.p[node], record.n[node]);
   }
 }
 

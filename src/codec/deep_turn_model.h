@@ -7,8 +7,10 @@
 
 #include "codec/deep_model.h"
 #include "codec/deep_start_model.h"
+#include "codec/deep_warm_start.h"
 #include "codec/edge_forecast.h"
 #include "codec/match_model.h"
+#include "codec/start_model.h"
 #include "codec/turn_walk.h"
 #include "codec/warm_start.h"
 #include "entropy/counter.h"
@@ -29,9 +31,16 @@ class DeepTurnModel : public TurnWalk<true> {
   /// REQUIRES: 8 <= table_bits <= 20.
   DeepTurnModel(const CrackMap& cracks, int table_bits,
                 const warm::Table& start);
+  /// With a warm start of its own.
+  DeepTurnModel(const CrackMap& cracks, int table_bits,
+                const warm::DeepTable& start);
 
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(int table_bits);
+
+  using Model = DeepModel<kContexts, 3, kSets, kRefiners, 2>;
+  /// What was learned, for training a warm start.
+  [[nodiscard]] const Model& model() const { return model_; }
 
   /// As of TurnWalk.
   void begin(CrackMap::Address point, CrackMap::Address flipped, bool ink) {
@@ -80,10 +89,10 @@ class DeepTurnModel : public TurnWalk<true> {
  private:
   /// The two binary decisions that make a turn.
   enum Node : std::uint8_t { kBends = 0, kToRight = 1 };
-  using Model = DeepModel<kContexts, 3, kSets, kRefiners, 2>;
   static const Model::Choice kSizes;
   static std::array<Model::Weights, 2> first_weights(const warm::Table& start);
 
+  void know(std::size_t context, const warm::Record& record);
   void look_around();
   void ask_about_edges(std::uint64_t base, const Sight& right,
                        const Sight& left);
@@ -95,6 +104,18 @@ class DeepTurnModel : public TurnWalk<true> {
   Model::Choice choice_;
   MatchModel match_;
   TurnMatch<32> long_match_;
+};
+
+/// The same for small drawings, which end before it has learned anything: it
+/// begins with what other small drawings taught.
+class SmallTurnModel : public DeepTurnModel {
+ public:
+  using Starts = StartModel;
+
+  /// `start` is for the starts.
+  SmallTurnModel(const CrackMap& cracks, int table_bits,
+                 const warm::Table& /*start*/)
+      : DeepTurnModel(cracks, table_bits, warm::kDeepTurns) {}
 };
 
 }  // namespace unstep::codec

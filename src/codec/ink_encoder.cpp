@@ -23,6 +23,31 @@ constexpr std::int64_t kSmallestDither = 40'000;
 /// Pixels from which on a page is a scan: small drawings are over in no time.
 constexpr std::int64_t kSmallestScan = 2'000'000;
 
+/// Cracks up to which a small drawing has deep turns.
+constexpr std::uint64_t kMostDeepCracks = 32768;
+
+/// Small drawings end before pixels have learned anything.
+bool is_small(const Bitmap& ink, std::int32_t rows, std::int64_t pixels) {
+  return std::int64_t{ink.width()} * rows < pixels;
+}
+
+/// Between ink and paper, those at the left and lower borders not counted.
+std::uint64_t count_cracks(const Bitmap& ink, std::int32_t first_row,
+                           std::int32_t rows) {
+  std::uint64_t cracks = 0;
+  for (std::int32_t y = first_row; y < first_row + rows; ++y) {
+    const auto row = ink.row(y);
+    std::uint64_t left = 0;  // the pixel before the word, in the highest bit
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::uint64_t above = y > first_row ? ink.row(y - 1)[i] : 0;
+      cracks += static_cast<std::uint64_t>(ones(row[i] ^ (row[i] >> 1 | left)) +
+                                           ones(row[i] ^ above));
+      left = row[i] << 63;
+    }
+  }
+  return cracks;
+}
+
 /// The payload, or rows as they are where these are fewer bytes.
 Result<EncodedBlock> or_stored(CoderName name,
                                Result<std::vector<std::uint8_t>> payload,
@@ -108,18 +133,29 @@ EncodedBlock as_lines(std::uint8_t revision,
   return {{kCoderCentrelines, revision, kCentrelineTable}, std::move(payload)};
 }
 
+/// The model of contours that suits a drawing. Deep models take 4 us a turn,
+/// ten times as much as others: small drawings are over before that matters.
+std::uint8_t contour_revision(const Bitmap& ink, std::int32_t first_row,
+                              std::int32_t rows) {
+  if (is_small(ink, rows, kSmallestScan) &&
+      count_cracks(ink, first_row, rows) <= kMostDeepCracks) {
+    return kContourSmall;
+  }
+  return kContourStandard;
+}
+
 /// Lines or contours, what is smaller as far as that is known.
 Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
                                  std::int32_t rows,
                                  const BlockProgress& progress) {
   const Rows sample = sample_of(ink, first_row, rows);
   const bool sure = sample.count == rows;
+  const std::uint8_t revision = contour_revision(ink, first_row, rows);
   if (!sure) {
     const Result<bool> pay = lines_pay(ink, sample, kContourStandard);
     if (!pay) return pay.error();
     if (!*pay) {
-      return encode_by_contours(ink, first_row, rows, kContourStandard,
-                                progress);
+      return encode_by_contours(ink, first_row, rows, revision, progress);
     }
   }
   Result<std::vector<std::uint8_t>> lines =
@@ -127,7 +163,7 @@ Result<EncodedBlock> encode_thin(const Bitmap& ink, std::int32_t first_row,
   if (!lines) return lines.error();
   if (sure || lines->empty()) {
     Result<EncodedBlock> contours =
-        encode_by_contours(ink, first_row, rows, kContourStandard, progress);
+        encode_by_contours(ink, first_row, rows, revision, progress);
     if (!contours) return contours.error();
     if (lines->empty() || contours->payload.size() <= lines->size()) {
       return contours;
@@ -150,16 +186,10 @@ Result<EncodedBlock> encode_by_shapes(const Bitmap& ink, std::int32_t first_row,
 /// Bytes in a file: a coder that is not the usual one is named, in one byte or
 /// in three.
 std::size_t cost(const EncodedBlock& block) {
-  const CoderName usual{kCoderContours, kContourStandard, warm::kTableId};
-  const std::size_t name = block.name == usual        ? 0
-                           : block.name.revision <= 2 ? 1
-                                                      : 3;
+  const std::size_t name = block.name == usual_coder(PageKind::ink) ? 0
+                           : block.name.revision <= 2               ? 1
+                                                                    : 3;
   return block.payload.size() + name;
-}
-
-/// Small drawings end before pixels have learned anything.
-bool is_small(const Bitmap& ink, std::int32_t rows, std::int64_t pixels) {
-  return std::int64_t{ink.width()} * rows < pixels;
 }
 
 /// Of all ways that may be it the one that takes the fewest bytes: never more
@@ -169,14 +199,18 @@ bool is_small(const Bitmap& ink, std::int32_t rows, std::int64_t pixels) {
 Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
                                      std::int32_t rows,
                                      const BlockProgress& progress) {
-  Result<EncodedBlock> best =
-      encode_by_contours(ink, first_row, rows, kContourStandard, progress);
+  Result<EncodedBlock> best = encode_by_contours(
+      ink, first_row, rows, contour_revision(ink, first_row, rows), progress);
   const auto keep = [&](Result<EncodedBlock> block) {
     if (!best) return;
     if (!block || (!block->payload.empty() && cost(*block) < cost(*best))) {
       best = std::move(block);
     }
   };
+  if (is_small(ink, rows, kSmallestScan)) {
+    for (const std::uint8_t revision : {kContourSmall, kContourStandard})
+      keep(encode_by_contours(ink, first_row, rows, revision, progress));
+  }
   keep(encode_by_contours(ink, first_row, rows, kContourLight, progress));
   const std::vector<PlacedShape> shapes =
       find_shapes(ink, first_row, rows, kShapesPay);
@@ -241,7 +275,8 @@ Result<EncodedBlock> encode_standard(const Bitmap& ink, std::int32_t first_row,
     return encode_thin(ink, first_row, rows, progress);
   }
   if (scan) return encode_scan(ink, first_row, rows, texture, progress);
-  return encode_by_contours(ink, first_row, rows, kContourStandard, progress);
+  return encode_by_contours(ink, first_row, rows,
+                            contour_revision(ink, first_row, rows), progress);
 }
 
 }  // namespace

@@ -49,19 +49,36 @@ std::uint16_t probability(unsigned level);
 inline constexpr int kWeightStep = 32;
 
 /// Calls `apply(number, weights)` for the vectors of a mixer that do not begin
-/// with `shared(number)`: two characters hold the number, counted through the
-/// sets, and one for each weight how much more it is. 12 fractional bits.
-template <std::size_t kInputs, class Shared, class Apply>
+/// with `shared(number)`: kNumber characters hold the number, counted through
+/// the sets, and one for each weight how much more it is. 12 fractional bits.
+template <std::size_t kInputs, std::size_t kNumber = 2, class Shared,
+          class Apply>
 void for_each_vector(std::string_view text, Shared shared, Apply apply) {
-  constexpr std::size_t kCharacters = 2 + kInputs;
+  constexpr std::size_t kCharacters = kNumber + kInputs;
   for (; !text.empty(); text.remove_prefix(kCharacters)) {
-    const std::size_t number = from_char(text[0]) << 6 | from_char(text[1]);
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < kNumber; ++i) {
+      number = number << 6 | from_char(text[i]);
+    }
     std::array<std::int16_t, kInputs> weights = shared(number);
     for (std::size_t i = 0; i < kInputs; ++i) {
-      const int steps = static_cast<int>(from_char(text[2 + i])) - 32;
+      const int steps = static_cast<int>(from_char(text[kNumber + i])) - 32;
       weights[i] = static_cast<std::int16_t>(weights[i] + kWeightStep * steps);
     }
     apply(number, weights);
+  }
+}
+
+/// Calls `apply(record)` for the records of one context; `counts` says how many
+/// each has.
+template <std::size_t kContexts, class Apply>
+void for_each_record(std::string_view records,
+                     const std::array<std::uint16_t, kContexts>& counts,
+                     std::size_t context, Apply apply) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < context; ++i) first += counts[i];
+  for (std::size_t i = 0; i < counts[context]; ++i) {
+    apply(parse(records.substr((first + i) * 8, 8)));
   }
 }
 
@@ -76,11 +93,7 @@ struct Table {
   /// Calls `apply(record)` for the records of one context.
   template <class Apply>
   void for_each(std::size_t context, Apply apply) const {
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < context; ++i) first += counts[i];
-    for (std::size_t i = 0; i < counts[context]; ++i) {
-      apply(parse(records.substr((first + i) * 8, 8)));
-    }
+    for_each_record(records, counts, context, apply);
   }
 };
 

@@ -117,15 +117,41 @@ class DeepMixer {
   DeepMixer(const Chosen& selectors, std::size_t finals,
             std::span<const Inputs> initial)
       : finals_(finals * kSets, kOne / static_cast<std::int32_t>(kSets)) {
+    std::vector<std::array<std::int32_t, kInputs>> first(initial.size());
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      std::transform(initial[k].begin(), initial[k].end(), first[k].begin(),
+                     scaled);
+    }
     for (std::size_t s = 0; s < kSets; ++s) {
       weights_[s].reserve(selectors[s] * kInputs);
       for (std::size_t k = 0; k < selectors[s]; ++k) {
-        for (const std::int16_t w : initial[k % initial.size()]) {
-          weights_[s].push_back(w * (kOne >> 12));
-        }
+        const auto& vector = first[k % first.size()];
+        weights_[s].insert(weights_[s].end(), vector.begin(), vector.end());
       }
       ages_[s].resize(selectors[s]);
     }
+  }
+
+  /// Vector `number`, counted through the sets, begins with these weights, 12
+  /// fractional bits, instead, as if it had seen kKnownAge bits.
+  void begin(std::size_t number, const Inputs& weights) {
+    std::size_t s = 0;
+    for (; number >= ages_[s].size(); ++s) number -= ages_[s].size();
+    std::transform(
+        weights.begin(), weights.end(),
+        weights_[s].begin() + static_cast<std::ptrdiff_t>(number * kInputs),
+        scaled);
+    ages_[s][number] = kKnownAge;
+  }
+
+  /// What was learned, for training a warm start: vector k of set s, 20
+  /// fractional bits, and how many bits each has seen.
+  [[nodiscard]] std::span<const std::int32_t> weights(std::size_t s,
+                                                      std::size_t k) const {
+    return {weights_[s].data() + k * kInputs, kInputs};
+  }
+  [[nodiscard]] std::span<const std::uint16_t> ages(std::size_t s) const {
+    return ages_[s];
   }
 
   static std::uint64_t memory(const Chosen& selectors) {
@@ -179,6 +205,8 @@ class DeepMixer {
     }
   }
 
+  /// Of vectors that begin with what others have learned: they move slowly.
+  static constexpr std::uint16_t kKnownAge = 2000;
   static constexpr int kRateStart = 700;  ///< 0.011
   static constexpr int kRateEnd = 130;    ///< 0.002
   static constexpr int kFinalRate = 60;
@@ -188,6 +216,8 @@ class DeepMixer {
   static constexpr std::int32_t kOne = 1 << 20;
   static constexpr std::int32_t kMost = 1 << 23;
 
+  /// From 12 fractional bits.
+  static std::int32_t scaled(std::int16_t w) { return w * (kOne >> 12); }
   static int clamp_stretch(int x) {
     return std::clamp(x, -kStretchMax, kStretchMax);
   }

@@ -65,18 +65,20 @@ struct WeightSum {
 
 /// A vector as a warm start holds it (codec/warm_start.h); nothing if it is as
 /// all others.
+/// `one`: a weight of 1 in 12 fractional bits times as much.
 template <std::size_t kInputs>
 std::string vector_text(std::size_t number, const WeightSum<kInputs>& sum,
-                        const WeightSum<kInputs>& all) {
+                        const WeightSum<kInputs>& all, int characters = 2,
+                        double one = 4.0) {
   constexpr double kSharedVotes = 20;  // of what it shares with all others
-  constexpr double kStep = 4.0 * codec::warm::kWeightStep;
-  std::string text = to_text(static_cast<unsigned>(number), 2);
+  const double step = one * codec::warm::kWeightStep;
+  std::string text = to_text(static_cast<unsigned>(number), characters);
   bool differs = false;
   for (std::size_t i = 0; i < kInputs; ++i) {
     const double own = (sum.weights[i] + kSharedVotes * all.mean(i)) /
                        (sum.votes + kSharedVotes);
     const long steps =
-        std::clamp(std::lround((own - all.mean(i)) / kStep), -32L, 31L);
+        std::clamp(std::lround((own - all.mean(i)) / step), -32L, 31L);
     differs = differs || steps != 0;
     text += to_text(static_cast<unsigned>(steps + 32), 1);
   }

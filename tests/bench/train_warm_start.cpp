@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,11 +26,16 @@
 #include "codec/turn_model.h"
 #include "codec/warm_start.h"
 #include "entropy/logistic.h"
+#include "train_records.h"
 #include "train_text.h"
 
 namespace {
 
 using namespace unstep;
+using bench::add;
+using bench::Key;
+using bench::Sum;
+using bench::Sums;
 using codec::StartModel;
 using codec::TurnModel;
 namespace warm = codec::warm;
@@ -49,31 +53,6 @@ const std::array<Part, 3> kParts{{
     {"large", "kLarge", warm::kLarge, 6900, false},
     {"clean", "kClean", warm::kClean, 24000, true},
 }};
-constexpr double kMaxAge = 30;
-constexpr double kEnough = 6;  // observations per image that count in full
-
-/// One context's counters, added up over the images.
-struct Sum {
-  std::array<double, 2> ones{};
-  std::array<double, 2> total{};
-  double score = 0;
-};
-using Key = std::uint32_t;  // index << 12 | check
-using Sums = std::map<Key, Sum>;
-
-double information(double p) {
-  p = std::clamp(p, 1e-4, 1 - 1e-4);
-  return 1 + p * std::log2(p) + (1 - p) * std::log2(1 - p);
-}
-
-void add(Sum& sum, std::size_t node, std::uint16_t p, std::uint8_t n) {
-  if (n == 0) return;
-  const double share = p / 65536.0;
-  sum.ones[node] += share * n;
-  sum.total[node] += n;
-  sum.score += std::min<double>(n, kEnough) * information(share);
-}
-
 struct Trainer {
   explicit Trainer(const Part& wanted) : part(wanted) {}
 
@@ -142,35 +121,8 @@ struct Trainer {
   }
 
   void forget();
-  [[nodiscard]] double least_score() const;
   void write(std::FILE* out) const;
 };
-
-unsigned level_of(double p) {
-  const double x = std::log(p / (1 - p)) * 256 / 72;
-  return static_cast<unsigned>(std::clamp(std::lround(x) + 32, 0L, 63L));
-}
-
-unsigned age_of(double n) {
-  const double age = std::min(n, kMaxAge);
-  unsigned best = 0;
-  for (unsigned i = 0; i < warm::kAges.size(); ++i) {
-    if (warm::kAges[i] <= age) best = i;
-  }
-  return best;
-}
-
-std::string record(Key key, const Sum& sum) {
-  std::uint64_t bits = std::uint64_t{key} << 20;
-  for (const std::size_t node : {0U, 1U}) {
-    const double n = sum.total[node];
-    const double p = (sum.ones[node] + 0.02) / (n + 0.04);
-    bits |= std::uint64_t{level_of(p)} << (node == 0 ? 14 : 8);
-    bits |= std::uint64_t{age_of(n)} << (node == 0 ? 4 : 0);
-  }
-  return bench::to_text(static_cast<unsigned>(bits >> 24), 4) +
-         bench::to_text(static_cast<unsigned>(bits & 0xffffff), 4);
-}
 
 template <std::size_t kSize>
 void write_weights(std::FILE* out, const std::array<double, kSize>& sums,
@@ -200,23 +152,9 @@ void Trainer::forget() {
   start_votes = 1;
 }
 
-double Trainer::least_score() const {
-  std::vector<double> scores;
-  for (const Sums& context : sums) {
-    for (const auto& [key, sum] : context) scores.push_back(sum.score);
-  }
-  std::sort(scores.rbegin(), scores.rend());
-  return scores.size() > part.most ? scores[part.most] : 0.0;
-}
-
-void write_text(std::FILE* out, const std::string& text) {
-  bench::print_text(out, text);
-  std::fprintf(out, "    \"\",\n");
-}
-
 void Trainer::write(std::FILE* out) const {
   const bool keep = !start().records.empty() && !forgotten;
-  const double least = keep ? 0 : least_score();
+  const double least = keep ? 0 : bench::least_score(sums, part.most);
   std::string records(keep ? start().records : "");
   std::fprintf(out,
                "// Made by tests/bench/train_warm_start.sh; do not edit.\n"
@@ -229,18 +167,18 @@ void Trainer::write(std::FILE* out) const {
     unsigned count = keep ? start().counts[i] : 0U;
     for (const auto& [key, sum] : sums[i]) {
       if (keep || sum.score <= least) continue;
-      records += record(key, sum);
+      records += bench::record(key, sum);
       ++count;
     }
     std::fprintf(out, " %u,", count);
   }
   std::fprintf(out, "\n    }},\n");
-  write_text(out, records);
+  bench::write_text(out, records);
   std::string own;
   for (std::size_t i = 0; part.vectors && keep && i < vectors.size(); ++i) {
     own += bench::vector_text(i, vectors[i], turn_weights[i % 2]);
   }
-  write_text(out, own);
+  bench::write_text(out, own);
   std::fprintf(out, "    {{\n");
   for (const std::size_t node : {0U, 1U}) {
     write_weights(out, turn_weights[node].weights, turn_weights[node].votes);

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Makes src/codec/warm_start_small.cpp, _large.cpp and _clean.cpp anew:
+# Makes src/codec/warm_start_small.cpp, _large.cpp, _clean.cpp and
+# deep_warm_start.cpp anew:
 #
 #     tests/bench/train_warm_start.sh FOLDER [BUILD]
 #
 # Takes every second image of each sub-folder of FOLDER, so that the other half
-# stays unseen for measuring: those in files below 10 kB for the small table, all
+# stays unseen for measuring: those in files below 10 kB for the small tables, all
 # for the large one, of these the program picks maps and the like for the clean
 # one. A pass for records, then one for the weights of mixers, three if each
 # vector has its own.
@@ -26,10 +27,17 @@ train() { # train small|large|clean IMAGE...
   "$build/tests/bench/train_warm_start" "$1" \
     "$root/src/codec/warm_start_$1.cpp" "${@:2}"
 }
+train_deep() { # train_deep IMAGE...
+  cmake --build "$build" --target train_deep_turns
+  "$build/tests/bench/train_deep_turns" \
+    "$root/src/codec/deep_warm_start.cpp" "$@"
+}
 for name in small large clean; do train "$name"; done
 for _ in 1 2; do train large "${images[@]}"; done
 for _ in 1 2 3 4; do
   train small "${small[@]}"
   train clean "${images[@]}"
 done
+train_deep
+for _ in 1 2 3 4; do train_deep "${small[@]}"; done
 echo "trained on ${#small[@]} and ${#images[@]} images"

@@ -70,7 +70,7 @@ struct Decoded {
 };
 
 /// Limits that keep a test quick however large a damaged header says it is.
-inline DecodeLimits small_limits() { return {1U << 20, 1U << 20, 8U << 20}; }
+inline DecodeLimits small_limits() { return {1U << 20, 1U << 20, 16U << 20}; }
 
 inline Result<Decoded> decode_all(std::span<const std::uint8_t> file) {
   DecodeOptions options;

@@ -144,7 +144,7 @@ TEST(HostileShortForm, ImpossibleDetailsAreErrors) {
 }
 
 TEST(HostileShortForm, TheUsualCoderIsNotNamed) {
-  expect_bad_head({0, 8, 6, 0x81}, ErrorCode::corrupt, "usual coder");
+  expect_bad_head({0, 8, 6, 0xa1}, ErrorCode::corrupt, "usual coder");
   expect_bad_head({codec::kChainsKind, 8, 6, 16, 0, 0}, ErrorCode::corrupt,
                   "usual coder");
   expect_bad_head({codec::kPathsKind, 8, 6, 0, 0x98, 0, 0}, ErrorCode::corrupt,

@@ -19,7 +19,7 @@ from entropy import Damaged, Interval
 from rows import Rows
 from shapes import Shapes
 from starts import StartModel
-from table import Table
+from table import DeepTable, Table
 from turns import DX, DY, FastTurnModel, TurnModel
 
 
@@ -59,11 +59,14 @@ class Scan:
         self.width, self.rows, self.coder = width, rows, coder
         self.cracks = Cracks()
         size = width * rows
-        table = Table("small" if size < 2000000 else
+        table = Table("small" if size < 2000000 or revision == 1 else
                       "clean" if revision in (0, 4) else "large")
         words = (width + 63) // 64
         if revision == 2:
             self.turns = FastTurnModel(self.cracks)
+        elif revision == 1:
+            self.turns = DeepTurnModel(
+                self.cracks, 13 if size < 40000 else 15, table, DeepTable())
         elif revision == 4:
             self.turns = DeepTurnModel(
                 self.cracks, 14 if size < 40000 else
@@ -213,13 +216,13 @@ def decode(data, trace=False):
         height, at = varint(data, at)
     if flags & 0x20:
         at = skip_details(data, at)
-    name = 1, 0, 1
+    name = 1, 1, 1
     if not flags & 8:
         packed, at = data[at], at + 1
         name = packed & 31, packed >> 5 & 3, packed >> 7
         if name[1] == 3:
             name, at = (name[0], data[at], data[at + 1]), at + 2
-    if name not in ((1, 0, 1), (1, 2, 1), (1, 3, 1), (1, 4, 1), (2, 0, 1),
+    if name not in ((1, 0, 1), (1, 1, 1), (1, 2, 1), (1, 3, 1), (1, 4, 1), (2, 0, 1),
                     (2, 1, 1), (3, 0, 1), (3, 1, 1), (4, 0, 0),
                     (4, 1, 0), (4, 2, 0)):
         raise Damaged("another coder than 1 to 4")

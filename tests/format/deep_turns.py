@@ -16,9 +16,14 @@ def level(match):
 
 
 class DeepTurnModel(TurnModel):
-    def __init__(self, cracks, table_bits, table):
+    SIZES = 64, 1024, 1024, 1024, 2048, 2048, 1024, 512, 128, 1024
+
+    def __init__(self, cracks, table_bits, table, own=None):
         super().__init__(cracks, table_bits, table)
         self.longer = Match(32)
+        if own:
+            self.begin_with(own, table_bits)
+            return
         vectors = []
         for w in table.turn:
             def part(first, other):
@@ -32,6 +37,22 @@ class DeepTurnModel(TurnModel):
                 for node in (0, 1):
                     self.deep.know(i, index << 12 | check, node, p[node],
                                    n[node])
+
+    def begin_with(self, own, table_bits):
+        """Revision 1: own records for all contexts, own vectors."""
+        self.deep = Deep(30, 3, table_bits, 5,
+                         [w[:93] + w[95:] for w in own.first])
+        for i, group in enumerate(own.groups):
+            for index, check, p, n in group:
+                for node in (0, 1):
+                    self.deep.know(i, index << 12 | check, node, p[node],
+                                   n[node])
+        for number, more in own.vectors:
+            c, s = number, 0
+            while c >= self.SIZES[s]:
+                c, s = c - self.SIZES[s], s + 1
+            self.deep.network.begin(
+                (s, c), [a + b for a, b in zip(own.first[number % 2], more)])
 
     def begin(self, x, y, ink):
         super().begin(x, y, ink)

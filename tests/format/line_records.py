@@ -4,7 +4,7 @@ import re
 import zlib
 
 from entropy import Damaged, squash
-from table import Table
+from table import six_bits
 
 SOURCE = (pathlib.Path(__file__).resolve().parents[2]
           / "src/codec/centreline_warm_start_table.cpp")
@@ -19,7 +19,7 @@ def line_records():
     records = "".join(re.findall(r'"([^"]*)"', records))
     if zlib.crc32(records.encode()) != CRC:
         raise Damaged(f"{SOURCE} is not table 1")
-    bits = Table.six_bits(records)
+    bits = six_bits(records)
     at = 0
 
     def take(characters):

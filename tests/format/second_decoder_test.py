@@ -105,17 +105,6 @@ def thin_map(width, height, pieces):
     return pbm(["".join(row) for row in page])
 
 
-def rings(width, height):
-    """Wavy rings, dots beside them."""
-    def ink(x, y):
-        u, v = x - 7 * width // 16, y - height // 2
-        r = u * u + v * v + (u * v >> 3) - (u * u * u >> 8)
-        return ((r >> 9 & 3) == 1 and r < 14000
-                or (x * 37 + y * 101) % 1201 == 5)
-    return pbm(["".join("#" if ink(x, y) else "." for x in range(width))
-                for y in range(height)])
-
-
 class SecondDecoder(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -174,17 +163,22 @@ class SecondDecoder(unittest.TestCase):
         self.check_agrees(str(ROOT / "tests/golden/valid/contours_wide.pbm"))
 
     def test_efforts(self):
-        self.check_agrees_on_pixels(text(250, 110, 5), "--effort", "max",
-                                    coder=2)
         self.check_agrees_on_pixels(scattered(70, 30), "--effort", "fast")
         # The smallest of all ways: blots as pixels.
         self.check_agrees_on_pixels(scattered(70, 30), "--effort", "max",
                                     coder=4)
 
-    def test_contours_of_max(self):
-        self.check_agrees_on_pixels(rings(230, 201), "--effort", "max")
-        file = pathlib.Path(self.path("a.ustp")).read_bytes()
-        self.assertIn(b"\x61\x04\x01", file[:12])
+    def test_models_that_small_drawings_seldom_have(self):
+        for name in ("contours_blots_standard", "contours_blots_light",
+                     "contours_wide", "contours_rings_deep",
+                     "shapes_text_deep"):
+            golden = ROOT / f"tests/golden/valid/{name}"
+            file = golden.with_suffix(".ustp").read_bytes()
+            pathlib.Path(self.path("a.ustp")).write_bytes(file)
+            self.assertEqual(self.decode().stderr, "")
+            self.assertEqual(
+                pathlib.Path(self.path("second.pbm")).read_bytes(),
+                golden.with_suffix(".pbm").read_bytes())
 
     def test_thin_lines(self):
         self.check_agrees_on_pixels(thin_map(300, 300, 20), coder=3)

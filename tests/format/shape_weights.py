@@ -4,7 +4,7 @@ import re
 import zlib
 
 from entropy import Damaged
-from table import Table
+from table import six_bits
 
 SOURCE = (pathlib.Path(__file__).resolve().parents[2]
           / "src/codec/shape_warm_start_table.cpp")
@@ -23,6 +23,6 @@ def begin(mixer, name):
     for vector in numbered:
         vector[0] = [4 * w for w in shared]
     for at in range(0, len(vectors), 18):
-        high, low, *steps = Table.six_bits(vectors[at:at + 18])
+        high, low, *steps = six_bits(vectors[at:at + 18])
         numbered[high << 6 | low][0] = [
             4 * (w + 32 * (step - 32)) for w, step in zip(shared, steps)]

@@ -95,47 +95,57 @@ TEST(DeepModel, BeginsWithWhatItIsTold) {
   EXPECT_GT(predict(), 40000);
 }
 
-Bytes encode_deep(const Bitmap& ink) {
-  const Result<Bytes> payload =
-      encode_contours(ink, 0, ink.height(), kContourDeep, {});
-  EXPECT_TRUE(payload);
-  return *payload;
-}
+/// The revisions whose turns have deep models.
+class DeepContours : public ::testing::TestWithParam<std::uint8_t> {
+ protected:
+  static Bytes encode(const Bitmap& ink) {
+    const Result<Bytes> payload =
+        encode_contours(ink, 0, ink.height(), GetParam(), {});
+    EXPECT_TRUE(payload);
+    return *payload;
+  }
+  static Status verify(std::span<const std::uint8_t> payload, const Bitmap& ink,
+                       const DecodeLimits& limits = {}) {
+    return verify_contours(payload, ink, 0, ink.height(), GetParam(), limits,
+                           {});
+  }
+};
 
-Status verify_deep(std::span<const std::uint8_t> payload, const Bitmap& ink,
-                   const DecodeLimits& limits = {}) {
-  return verify_contours(payload, ink, 0, ink.height(), kContourDeep, limits,
-                         {});
-}
-
-TEST(DeepContours, ComeBack) {
+TEST_P(DeepContours, ComeBack) {
   for (const std::int32_t side : {1, 2, 63, 64, 65, 130, 300}) {
     for (const unsigned seed : {1U, 2U, 3U}) {
       const Bitmap ink = random_ink(side, side, seed);
-      EXPECT_TRUE(verify_deep(encode_deep(ink), ink)) << side;
+      EXPECT_TRUE(verify(encode(ink), ink)) << side;
     }
   }
 }
 
-TEST(DeepContours, DamagedPayloadsAreRefused) {
+TEST_P(DeepContours, DamagedPayloadsAreRefused) {
   const Bitmap ink = random_ink(90, 70, 4);
-  const Bytes payload = encode_deep(ink);
+  const Bytes payload = encode(ink);
   for (std::size_t i = 0; i < payload.size(); i += 60) {
     Bytes damaged = payload;
     damaged[i] ^= static_cast<std::uint8_t>(1U << i % 8);
-    EXPECT_FALSE(verify_deep(damaged, ink));
-    EXPECT_FALSE(verify_deep({payload.data(), i}, ink));
+    EXPECT_FALSE(verify(damaged, ink));
+    EXPECT_FALSE(verify({payload.data(), i}, ink));
   }
 }
 
-TEST(DeepContours, KeepToTheMemoryLimit) {
+TEST_P(DeepContours, KeepToTheMemoryLimit) {
   const Bitmap ink = *Bitmap::create(100, 100);
   DecodeLimits limits;
-  limits.max_memory = contour_memory(kContourDeep, 100, 100) - 1;
-  const Status done = verify_deep({}, ink, limits);
+  limits.max_memory = contour_memory(GetParam(), 100, 100) - 1;
+  const Status done = verify({}, ink, limits);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::limit_exceeded);
 }
+
+INSTANTIATE_TEST_SUITE_P(Revisions, DeepContours,
+                         ::testing::Values(kContourSmall, kContourDeep),
+                         [](const auto& tested) {
+                           return tested.param == kContourSmall ? "Small"
+                                                                : "Max";
+                         });
 
 }  // namespace
 }  // namespace unstep::codec

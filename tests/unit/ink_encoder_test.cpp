@@ -43,6 +43,19 @@ Bitmap upright_strokes(std::int32_t width, std::int32_t height,
   return ink;
 }
 
+/// Two of three tiles of 5 x 5 pixels are ink, nearly all of it in one piece.
+Bitmap tiles(std::int32_t side) {
+  Bitmap ink = *Bitmap::create(side, side);
+  std::mt19937 random(2);
+  for (std::int32_t y = 0; y + 5 <= side; y += 5) {
+    for (std::int32_t x = 0; x + 5 <= side; x += 5) {
+      if (random() % 3 == 0) continue;
+      for (std::int32_t i = 0; i < 25; ++i) ink.set(x + i % 5, y + i / 5, true);
+    }
+  }
+  return ink;
+}
+
 codec::CoderName coder_of(const Bitmap& ink) {
   const Result<codec::EncodedBlock> block =
       codec::encode_ink(ink, 0, ink.height(), Effort::standard, {});
@@ -50,18 +63,26 @@ codec::CoderName coder_of(const Bitmap& ink) {
   return block->name;
 }
 
-TEST(Efforts, StandardTakesTheQuickWaysForScansThatDoNotRepeat) {
-  const auto of = [](std::uint8_t coder, std::uint8_t revision) {
-    return [=](const codec::CoderName& name) {
-      return name.coder == coder && name.revision == revision;
-    };
+auto of(std::uint8_t coder, std::uint8_t revision) {
+  return [=](const codec::CoderName& name) {
+    return name.coder == coder && name.revision == revision;
   };
-  const auto light = of(codec::kCoderContours, codec::kContourLight);
+}
+
+TEST(Efforts, StandardHasDeepTurnsForDrawingsOfFewSteps) {
+  const auto small = of(codec::kCoderContours, codec::kContourSmall);
   const auto full = of(codec::kCoderContours, codec::kContourStandard);
+  EXPECT_TRUE(small(coder_of(upright_strokes(400, 400, 200, 60))));
+  EXPECT_TRUE(full(coder_of(tiles(600))));
+}
+
+TEST(Efforts, StandardTakesTheQuickWaysForScansThatDoNotRepeat) {
+  const auto light = of(codec::kCoderContours, codec::kContourLight);
+  const auto small = of(codec::kCoderContours, codec::kContourSmall);
   const auto pixels = of(codec::kCoderPixels, codec::kPixelsDeep);
   // Letters by the dozen on a large page, a small page, a crowded page.
   EXPECT_TRUE(light(coder_of(upright_strokes(2000, 1100, 200, 60))));
-  EXPECT_TRUE(full(coder_of(upright_strokes(400, 400, 200, 60))));
+  EXPECT_TRUE(small(coder_of(upright_strokes(400, 400, 200, 60))));
   EXPECT_TRUE(pixels(coder_of(upright_strokes(2000, 1100, 5, 900))));
 }
 
