@@ -44,14 +44,14 @@ inline constexpr auto kDeepLevels = make_deep_levels();
 
 }  // namespace detail
 
-/// The model of the max effort: predicts binary decisions from kContexts hashed
-/// contexts, with every means that pays when there is time. A context has a
-/// slot with, for each of kNodes kinds of decision, a probability with its age
-/// and the last seven outcomes. It says three things: its probability, how far
-/// that is from one half weighed by age, and what came in this context after
-/// the same outcomes at a like age. They are mixed by kSets sets of weights,
-/// and these by a last one; kRefiners refiners correct the result. kExtras more
-/// inputs are the owner's.
+/// The model of the max effort and of small drawings: predicts binary decisions
+/// from kContexts hashed contexts, with every means that pays when there is
+/// time. A context has a slot with, for each of kNodes kinds of decision, a
+/// probability with its age and the last seven outcomes. It says three things:
+/// its probability, how far that is from one half weighed by age, and what came
+/// in this context after the same outcomes at a like age. They are mixed by
+/// kSets sets of weights, and these by a last one; kRefiners refiners correct
+/// the result. kExtras more inputs are the owner's.
 ///
 /// Per decision: ask() for every context (once for the decisions of a symbol),
 /// predict(), code, learn().
@@ -92,7 +92,8 @@ class DeepModel {
         mixer_(sizes.vectors, sizes.last, initial) {
     active_.fill(slots_.get());
     for (std::size_t i = 0; i < followed_.size(); ++i) {
-      followed_[i] = after(static_cast<unsigned>(i & 255));
+      followed_[i] =
+          i < 256 ? after(static_cast<unsigned>(i)) : followed_[i - 256];
     }
     for (const std::size_t contexts : sizes.refined) {
       refiners_.emplace_back(contexts);

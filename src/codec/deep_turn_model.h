@@ -17,7 +17,8 @@
 
 namespace unstep::codec {
 
-/// Predicts the turns of contours for the max effort: the contexts of
+/// Predicts the turns of contours for the max effort and, with a warm start of
+/// its own, of small drawings: the contexts of
 /// MixedTurnModel and fifteen more, in a DeepModel, with an EdgeForecast.
 class DeepTurnModel : public TurnWalk<true> {
  public:

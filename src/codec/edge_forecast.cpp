@@ -4,6 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <utility>
+
+#include "codec/context.h"
 
 namespace unstep::codec {
 namespace {
@@ -39,7 +42,34 @@ std::uint64_t long_weight(int dy) {
 }
 
 int floor_of(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
-int ceil_of(int a, int b) { return -floor_of(-a, b); }
+
+/// floor(n y / of) for one y after the other, as an interpolator draws a line:
+/// a division each would be most of the work.
+class Quotients {
+ public:
+  Quotients(int n, int of, int y)
+      : of_(of),
+        value_(floor_of(n * y, of)),
+        rest_(n * y - value_ * of),
+        whole_(floor_of(n, of)),
+        part_(n - whole_ * of) {}
+
+  [[nodiscard]] int value() const { return value_; }
+  void next() {
+    value_ += whole_;
+    rest_ += part_;
+    const bool over = rest_ >= of_;
+    value_ += over ? 1 : 0;
+    rest_ -= over ? of_ : 0;
+  }
+
+ private:
+  int of_;
+  int value_;
+  int rest_;   ///< 0 <= rest < of
+  int whole_;  ///< what a step adds
+  int part_;
+};
 
 std::int64_t fixed(int n, int of) {
   return std::clamp<std::int64_t>(std::int64_t{n} * 65536 / of, -65536, 65536);
@@ -83,9 +113,11 @@ std::uint64_t SlopeRange::weight(int dy) const {
       long_weight(dy) * static_cast<std::uint64_t>(fixed(high, high_of) -
                                                    fixed(low, low_of)) >>
       16;
-  for (int y = dy; y <= kLongest; ++y) {
-    const int a = std::max(ceil_of(low * y, low_of), -kLongest);
-    const int b = std::min(floor_of(high * y, high_of), kLongest);
+  Quotients least(-low, low_of, dy);
+  Quotients most(high, high_of, dy);
+  for (int y = dy; y <= kLongest; ++y, least.next(), most.next()) {
+    const int a = std::max(-least.value(), -kLongest);
+    const int b = std::min(most.value(), kLongest);
     if (a > b) continue;
     const int steep = std::min(b, y) - std::max(a, -y) + 1;
     if (steep > 0) sum += static_cast<unsigned>(steep) * line_weight(y);
@@ -93,6 +125,21 @@ std::uint64_t SlopeRange::weight(int dy) const {
     if (a < -y) sum += lengths(std::max(-b, y + 1), -a);
   }
   return sum;
+}
+
+std::uint64_t SlopeWeights::of(const SlopeRange& range, int dy) {
+  // 15, 9, 15, 9 and 8 bits; the least bound is -8003, and dy is not 0.
+  constexpr int kLeast = -8192;
+  std::uint64_t key = 0;
+  for (const auto& [value, bits] :
+       {std::pair{range.low - kLeast, 15}, std::pair{range.low_of, 9},
+        std::pair{range.high - kLeast, 15}, std::pair{range.high_of, 9},
+        std::pair{dy, 8}}) {
+    key = key << bits | static_cast<unsigned>(value);
+  }
+  Known& known = known_[key * kGolden >> (64 - kBits)];
+  if (known.key != key) known = {key, range.weight(dy)};
+  return known.weight;
 }
 
 void EdgeForecast::begin(bool ink) {
@@ -141,7 +188,7 @@ void EdgeForecast::reach_row() {
     anchor.slopes.from(dx, dy);
     anchor.slopes.up_to(dx, dy);
     anchor.weight =
-        dy <= kOldest ? anchor.chance * anchor.slopes.weight(dy) : 0;
+        dy <= kOldest ? anchor.chance * weights_.of(anchor.slopes, dy) : 0;
     all += anchor.weight;
     if (anchor.weight == 0 || !anchor.slopes.holds(dx, dy)) continue;
     const int length = std::max(dy, std::abs(dx));
@@ -182,22 +229,22 @@ void EdgeForecast::scale(std::uint64_t all) {
 }
 
 /// What the lines from an anchor say of the next row, seen from pixel x of it.
-void EdgeForecast::add(Ahead& ahead, const Anchor& anchor, int x) const {
+void EdgeForecast::add(Ahead& ahead, const Anchor& anchor, int x) {
   const int dy = row_ + 1 - anchor.row;
   const int dx = apart(anchor.x, x);
   SlopeRange here = anchor.slopes;
   here.from(dx, dy);
   here.up_to(dx, dy);
-  ahead.here += anchor.chance * here.weight(dy);
+  ahead.here += anchor.chance * weights_.of(here, dy);
   if (!beside() || direction_ == 0) {
     SlopeRange east = anchor.slopes;
     east.from(dx + 1, dy);
-    ahead.east += anchor.chance * east.weight(dy);
+    ahead.east += anchor.chance * weights_.of(east, dy);
   }
   if (!beside() || direction_ == 2) {
     SlopeRange west = anchor.slopes;
     west.up_to(dx - 1, dy);
-    ahead.west += anchor.chance * west.weight(dy);
+    ahead.west += anchor.chance * weights_.of(west, dy);
   }
 }
 

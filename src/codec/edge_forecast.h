@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,25 @@ struct SlopeRange {
   [[nodiscard]] bool holds(int dx, int dy) const;
   /// The weight of all lines of these slopes that end `dy` rows on or later.
   [[nodiscard]] std::uint64_t weight(int dy) const;
+};
+
+/// Remembers what ranges weigh: those of the first rows of an edge come again
+/// and again.
+class SlopeWeights {
+ public:
+  SlopeWeights() : known_(std::size_t{1} << kBits) {}
+
+  /// range.weight(dy). REQUIRES: 1 <= dy < 2^8, bounds of the range as from()
+  /// and up_to() make them for such dy and |dx| <= 4001.
+  std::uint64_t of(const SlopeRange& range, int dy);
+
+ private:
+  static constexpr int kBits = 12;
+  struct Known {
+    std::uint64_t key = 0;
+    std::uint64_t weight = 0;
+  };
+  std::vector<Known> known_;
 };
 
 /// Foretells contours of filled polygons. Their vertices are pixels; in each
@@ -68,13 +88,14 @@ class EdgeForecast {
   void reach_row();
   void forget_one();
   void scale(std::uint64_t all);
-  void add(Ahead& ahead, const Anchor& anchor, int x) const;
+  void add(Ahead& ahead, const Anchor& anchor, int x);
   [[nodiscard]] bool beside() const { return moved_ > 0; }
   /// The ink pixel beside the edge if it goes on in this column.
   [[nodiscard]] int pixel(int direction) const {
     return column_ - (ink_ == (direction == 1) ? 1 : 0);
   }
 
+  SlopeWeights weights_;
   std::vector<Anchor> anchors_;
   bool ink_ = false;
   int direction_ = 0;         ///< of the last step

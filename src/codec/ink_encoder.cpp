@@ -23,7 +23,8 @@ constexpr std::int64_t kSmallestDither = 40'000;
 /// Pixels from which on a page is a scan: small drawings are over in no time.
 constexpr std::int64_t kSmallestScan = 2'000'000;
 
-/// Cracks up to which a small drawing has deep turns.
+/// Drawings of fewer pixels, and of no more cracks, have deep turns.
+constexpr std::int64_t kSmallestFlatTurns = 1'000'000;
 constexpr std::uint64_t kMostDeepCracks = 32768;
 
 /// Small drawings end before pixels have learned anything.
@@ -137,7 +138,7 @@ EncodedBlock as_lines(std::uint8_t revision,
 /// ten times as much as others: small drawings are over before that matters.
 std::uint8_t contour_revision(const Bitmap& ink, std::int32_t first_row,
                               std::int32_t rows) {
-  if (is_small(ink, rows, kSmallestScan) &&
+  if (is_small(ink, rows, kSmallestFlatTurns) &&
       count_cracks(ink, first_row, rows) <= kMostDeepCracks) {
     return kContourSmall;
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "entropy/logistic.h"
+#include "entropy/table_memory.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -116,19 +117,12 @@ class DeepMixer {
   /// with initial[k % initial.size()]. REQUIRES: initial is not empty.
   DeepMixer(const Chosen& selectors, std::size_t finals,
             std::span<const Inputs> initial)
-      : finals_(finals * kSets, kOne / static_cast<std::int32_t>(kSets)) {
-    std::vector<std::array<std::int32_t, kInputs>> first(initial.size());
-    for (std::size_t k = 0; k < first.size(); ++k) {
-      std::transform(initial[k].begin(), initial[k].end(), first[k].begin(),
-                     scaled);
-    }
+      : initial_(initial.begin(), initial.end()),
+        finals_(finals * kSets, kOne / static_cast<std::int32_t>(kSets)) {
     for (std::size_t s = 0; s < kSets; ++s) {
-      weights_[s].reserve(selectors[s] * kInputs);
-      for (std::size_t k = 0; k < selectors[s]; ++k) {
-        const auto& vector = first[k % first.size()];
-        weights_[s].insert(weights_[s].end(), vector.begin(), vector.end());
-      }
+      weights_[s] = make_table<std::int32_t>(selectors[s] * kInputs);
       ages_[s].resize(selectors[s]);
+      begun_[s].resize(selectors[s]);
     }
   }
 
@@ -137,18 +131,16 @@ class DeepMixer {
   void begin(std::size_t number, const Inputs& weights) {
     std::size_t s = 0;
     for (; number >= ages_[s].size(); ++s) number -= ages_[s].size();
-    std::transform(
-        weights.begin(), weights.end(),
-        weights_[s].begin() + static_cast<std::ptrdiff_t>(number * kInputs),
-        scaled);
+    begin(s, number, weights);
     ages_[s][number] = kKnownAge;
   }
 
   /// What was learned, for training a warm start: vector k of set s, 20
-  /// fractional bits, and how many bits each has seen.
+  /// fractional bits, zeros if it has never been chosen, and how many bits each
+  /// has seen.
   [[nodiscard]] std::span<const std::int32_t> weights(std::size_t s,
                                                       std::size_t k) const {
-    return {weights_[s].data() + k * kInputs, kInputs};
+    return {vector(s, k), kInputs};
   }
   [[nodiscard]] std::span<const std::uint16_t> ages(std::size_t s) const {
     return ages_[s];
@@ -157,7 +149,8 @@ class DeepMixer {
   static std::uint64_t memory(const Chosen& selectors) {
     std::uint64_t vectors = 0;
     for (const std::size_t n : selectors) vectors += n;
-    return vectors * (kInputs * sizeof(std::int32_t) + sizeof(std::uint16_t));
+    return vectors *
+           (kInputs * sizeof(std::int32_t) + sizeof(std::uint16_t) + 1);
   }
 
   /// The inputs of the next prediction, stretches; unused ones stay 0.
@@ -169,9 +162,11 @@ class DeepMixer {
     last_ = last * kSets;
     std::int64_t sum = 0;
     for (std::size_t s = 0; s < kSets; ++s) {
+      // Most vectors of a small drawing are never chosen.
+      if (begun_[s][chosen[s]] == 0)
+        begin(s, chosen[s], initial_[chosen[s] % initial_.size()]);
       outputs_[s] = clamp_stretch(
-          deep_mixing::dot(inputs_.data(),
-                           weights_[s].data() + chosen[s] * kInputs, kInputs) >>
+          deep_mixing::dot(inputs_.data(), vector(s, chosen[s]), kInputs) >>
           14);
       sum += std::int64_t{outputs_[s]} * finals_[last_ + s];
     }
@@ -192,8 +187,7 @@ class DeepMixer {
           kRateEnd + (kRateStart - kRateEnd) * 16 / (16 + age / 64);
       if (age < 60000) ++age;
       // 65536 * 700 >> 12 fits int16.
-      deep_mixing::train(inputs_.data(),
-                         weights_[s].data() + chosen_[s] * kInputs, kInputs,
+      deep_mixing::train(inputs_.data(), vector(s, chosen_[s]), kInputs,
                          static_cast<std::int16_t>((error * rate) >> 12));
     }
     const int error = truth - squash(output_);
@@ -216,8 +210,15 @@ class DeepMixer {
   static constexpr std::int32_t kOne = 1 << 20;
   static constexpr std::int32_t kMost = 1 << 23;
 
-  /// From 12 fractional bits.
-  static std::int32_t scaled(std::int16_t w) { return w * (kOne >> 12); }
+  [[nodiscard]] std::int32_t* vector(std::size_t s, std::size_t k) const {
+    return weights_[s].get() + k * kInputs;
+  }
+  /// `weights` have 12 fractional bits.
+  void begin(std::size_t s, std::size_t k, const Inputs& weights) {
+    std::transform(weights.begin(), weights.end(), vector(s, k),
+                   [](std::int16_t w) { return w * (kOne >> 12); });
+    begun_[s][k] = 1;
+  }
   static int clamp_stretch(int x) {
     return std::clamp(x, -kStretchMax, kStretchMax);
   }
@@ -227,8 +228,10 @@ class DeepMixer {
   std::array<int, kSets> outputs_{};
   std::size_t last_ = 0;
   int output_ = 0;
-  std::array<std::vector<std::int32_t>, kSets> weights_;
+  std::vector<Inputs> initial_;
+  std::array<Table<std::int32_t>, kSets> weights_;
   std::array<std::vector<std::uint16_t>, kSets> ages_;
+  std::array<std::vector<std::uint8_t>, kSets> begun_;
   std::vector<std::int32_t> finals_;
 };
 

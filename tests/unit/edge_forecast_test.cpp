@@ -36,6 +36,22 @@ TEST(SlopeRange, HoldsNothingWhenRowsContradict) {
   EXPECT_EQ(slopes.weight(5), 0U);
 }
 
+TEST(SlopeWeights, AreThoseOfTheRanges) {
+  SlopeWeights weights;
+  std::mt19937 random(3);
+  for (int round = 0; round < 300; ++round) {
+    SlopeRange slopes;
+    const int rise = static_cast<int>(random() % 8000) - 4000;
+    for (int dy = 1; dy <= 200; dy += 1 + static_cast<int>(random() % 9)) {
+      const int dx = rise * dy / 200 + static_cast<int>(random() % 2);
+      slopes.from(dx, dy);
+      slopes.up_to(dx, dy);
+      ASSERT_EQ(weights.of(slopes, dy), slopes.weight(dy));
+      ASSERT_EQ(weights.of(slopes, dy), slopes.weight(dy));
+    }
+  }
+}
+
 /// The right edge, ink in the west, of a polygon from (0, 0) to (dx, dy).
 std::vector<int> edge(int dx, int dy) {
   std::vector<int> steps{kSouth};
