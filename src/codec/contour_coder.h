@@ -14,7 +14,7 @@ class ArithmeticEncoder;
 /// Coder 1: contours under mixed models, docs/format.md.
 namespace unstep::codec {
 
-class SmallTurnModel;
+class TrainedTurnModel;
 class StartModel;
 enum class TurnViews : std::uint8_t;
 template <TurnViews>
@@ -87,7 +87,7 @@ Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
                                                   const ModelVisitor& visit);
 /// The same with the model of small drawings.
 inline constexpr int kDeepTrainingBits = 17;
-using DeepVisitor = std::function<void(const SmallTurnModel& turns)>;
+using DeepVisitor = std::function<void(const TrainedTurnModel& turns)>;
 Status encode_and_show_deep(const Bitmap& ink, const DeepVisitor& visit);
 
 Status decode_contours(std::span<const std::uint8_t> payload, Bitmap& ink,

@@ -125,7 +125,7 @@ Result<std::vector<std::uint8_t>> encode_and_show(const Bitmap& ink,
 Status encode_and_show_deep(const Bitmap& ink, const DeepVisitor& visit) {
   entropy::ArithmeticEncoder coder;
   EncoderSide side(coder, ink, 0, ink.height());
-  ContourScan<EncoderSide, SmallTurnModel> scan(
+  ContourScan<EncoderSide, TrainedTurnModel> scan(
       side, ink.width(), ink.height(), kDeepTrainingBits, warm::kSmall);
   Status status = scan.run({});
   if (status) visit(scan.turns());

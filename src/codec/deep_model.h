@@ -201,9 +201,9 @@ class DeepModel {
   }
 
   /// For a warm start: vector `number`, counted through the sets, begins with
-  /// these weights, 12 fractional bits.
-  void begin(std::size_t number, const Weights& weights) {
-    mixer_.begin(number, weights);
+  /// these weights, 12 fractional bits, as if it had seen `age` bits.
+  void begin(std::size_t number, const Weights& weights, std::uint16_t age) {
+    mixer_.begin(number, weights, age);
   }
 
   /// What was learned, for training a warm start: calls `apply(upper_bits,

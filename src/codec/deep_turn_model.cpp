@@ -68,7 +68,7 @@ DeepTurnModel::DeepTurnModel(const CrackMap& cracks, int table_bits,
 }
 
 DeepTurnModel::DeepTurnModel(const CrackMap& cracks, int table_bits,
-                             const warm::DeepTable& start)
+                             const warm::DeepTable& start, std::uint16_t age)
     : TurnWalk(cracks), model_(table_bits, kSizes, start.weights) {
   static_assert(Model::kInputs == warm::DeepTable::kInputs);
   static_assert(kContexts == warm::DeepTable::kContexts);
@@ -80,7 +80,7 @@ DeepTurnModel::DeepTurnModel(const CrackMap& cracks, int table_bits,
       start.vectors,
       [&](std::size_t number) { return start.weights[number % 2]; },
       [&](std::size_t number, const auto& weights) {
-        model_.begin(number, weights);
+        model_.begin(number, weights, age);
       });
 }
 

@@ -32,9 +32,9 @@ class DeepTurnModel : public TurnWalk<true> {
   /// REQUIRES: 8 <= table_bits <= 20.
   DeepTurnModel(const CrackMap& cracks, int table_bits,
                 const warm::Table& start);
-  /// With a warm start of its own.
+  /// With a warm start of its own, whose vectors move as after `age` bits.
   DeepTurnModel(const CrackMap& cracks, int table_bits,
-                const warm::DeepTable& start);
+                const warm::DeepTable& start, std::uint16_t age);
 
   /// Bytes that the constructor allocates, rounded up.
   static std::uint64_t memory(int table_bits);
@@ -116,7 +116,20 @@ class SmallTurnModel : public DeepTurnModel {
   /// `start` is for the starts.
   SmallTurnModel(const CrackMap& cracks, int table_bits,
                  const warm::Table& /*start*/)
-      : DeepTurnModel(cracks, table_bits, warm::kDeepTurns) {}
+      : DeepTurnModel(cracks, table_bits, warm::kDeepTurns, kKnownAge) {}
+
+ private:
+  static constexpr std::uint16_t kKnownAge = 2000;
+};
+
+/// The same for training the warm start: what it is told moves fast.
+class TrainedTurnModel : public DeepTurnModel {
+ public:
+  using Starts = StartModel;
+
+  TrainedTurnModel(const CrackMap& cracks, int table_bits,
+                   const warm::Table& /*start*/)
+      : DeepTurnModel(cracks, table_bits, warm::kDeepTurns, 0) {}
 };
 
 }  // namespace unstep::codec

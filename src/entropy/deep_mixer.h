@@ -127,12 +127,12 @@ class DeepMixer {
   }
 
   /// Vector `number`, counted through the sets, begins with these weights, 12
-  /// fractional bits, instead, as if it had seen kKnownAge bits.
-  void begin(std::size_t number, const Inputs& weights) {
+  /// fractional bits, instead, as if it had seen `age` bits.
+  void begin(std::size_t number, const Inputs& weights, std::uint16_t age) {
     std::size_t s = 0;
     for (; number >= ages_[s].size(); ++s) number -= ages_[s].size();
     begin(s, number, weights);
-    ages_[s][number] = kKnownAge;
+    ages_[s][number] = age;
   }
 
   /// What was learned, for training a warm start: vector k of set s, 20
@@ -199,8 +199,6 @@ class DeepMixer {
     }
   }
 
-  /// Of vectors that begin with what others have learned: they move slowly.
-  static constexpr std::uint16_t kKnownAge = 2000;
   static constexpr int kRateStart = 700;  ///< 0.011
   static constexpr int kRateEnd = 130;    ///< 0.002
   static constexpr int kFinalRate = 60;

@@ -25,7 +25,7 @@
 namespace {
 
 using namespace unstep;
-using codec::SmallTurnModel;
+using codec::TrainedTurnModel;
 using Table = codec::warm::DeepTable;
 const Table& start = codec::warm::kDeepTurns;
 
@@ -40,7 +40,7 @@ struct Trainer {
   std::array<Weights, 2> all;    ///< of all vectors of a decision
   std::vector<Weights> vectors;  ///< of one each, through the sets
 
-  void learn(const SmallTurnModel& turns) {
+  void learn(const TrainedTurnModel& turns) {
     for (std::size_t i = 0; i < sums.size(); ++i) {
       turns.model().for_each_known(
           i, [&](bench::Key key, std::size_t node, double p, double age) {
@@ -48,7 +48,7 @@ struct Trainer {
           });
     }
     std::size_t number = 0;
-    for (std::size_t s = 0; s < SmallTurnModel::kSets; ++s) {
+    for (std::size_t s = 0; s < TrainedTurnModel::kSets; ++s) {
       const auto ages = turns.model().mixer().ages(s);
       for (std::size_t k = 0; k < ages.size(); ++k, ++number) {
         if (number == vectors.size()) vectors.emplace_back();
@@ -127,9 +127,10 @@ void Trainer::write(std::FILE* out) const {
 
 bool learn_file(const char* path, Trainer& trainer) {
   const std::optional<Bitmap> ink = bench::first_page(path);
-  return ink &&
-         static_cast<bool>(codec::encode_and_show_deep(
-             *ink, [&](const SmallTurnModel& turns) { trainer.learn(turns); }));
+  return ink && static_cast<bool>(codec::encode_and_show_deep(
+                    *ink, [&](const TrainedTurnModel& turns) {
+                      trainer.learn(turns);
+                    }));
 }
 
 }  // namespace

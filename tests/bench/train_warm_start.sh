@@ -8,7 +8,7 @@
 # stays unseen for measuring: those in files below 10 kB for the small tables, all
 # for the large one, of these the program picks maps and the like for the clean
 # one. A pass for records, then one for the weights of mixers, three if each
-# vector has its own.
+# vector has its own, twelve of the deep model.
 set -euo pipefail
 folder=${1:?usage: train_warm_start.sh FOLDER [BUILD]}
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -39,5 +39,6 @@ for _ in 1 2 3 4; do
   train clean "${images[@]}"
 done
 train_deep
-for _ in 1 2 3 4; do train_deep "${small[@]}"; done
+# Means of what images came to move slowly towards what all want.
+for _ in {1..13}; do train_deep "${small[@]}"; done
 echo "trained on ${#small[@]} and ${#images[@]} images"

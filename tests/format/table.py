@@ -9,7 +9,7 @@ FOLDER = pathlib.Path(__file__).resolve().parents[2] / "src/codec"
 CRCS = {"small": (0xBAA9D351, 0x0CFBE4FA),
         "large": (0x50A01F69, 0x5C3E581E),
         "clean": (0x32A83E3D, 0x3CBE4561),
-        "deep": (0x92761F54, 0xC7CD132A)}
+        "deep": (0x498C47E7, 0x408EE2AF)}
 
 
 
