@@ -200,17 +200,17 @@ std::size_t cost(const EncodedBlock& block) {
 Result<EncodedBlock> encode_smallest(const Bitmap& ink, std::int32_t first_row,
                                      std::int32_t rows,
                                      const BlockProgress& progress) {
+  const bool small = is_small(ink, rows, kSmallestScan);
   Result<EncodedBlock> best = encode_by_contours(
-      ink, first_row, rows, contour_revision(ink, first_row, rows), progress);
+      ink, first_row, rows, small ? kContourSmall : kContourStandard, progress);
   const auto keep = [&](Result<EncodedBlock> block) {
     if (!best) return;
     if (!block || (!block->payload.empty() && cost(*block) < cost(*best))) {
       best = std::move(block);
     }
   };
-  if (is_small(ink, rows, kSmallestScan)) {
-    for (const std::uint8_t revision : {kContourSmall, kContourStandard})
-      keep(encode_by_contours(ink, first_row, rows, revision, progress));
+  if (small) {
+    keep(encode_by_contours(ink, first_row, rows, kContourStandard, progress));
   }
   keep(encode_by_contours(ink, first_row, rows, kContourLight, progress));
   const std::vector<PlacedShape> shapes =

@@ -222,8 +222,8 @@ def decode(data, trace=False):
         name = packed & 31, packed >> 5 & 3, packed >> 7
         if name[1] == 3:
             name, at = (name[0], data[at], data[at + 1]), at + 2
-    if name not in ((1, 0, 1), (1, 1, 1), (1, 2, 1), (1, 3, 1), (1, 4, 1), (2, 0, 1),
-                    (2, 1, 1), (3, 0, 1), (3, 1, 1), (4, 0, 0),
+    if name not in ((1, 0, 1), (1, 1, 1), (1, 2, 1), (1, 3, 1), (1, 4, 1),
+                    (2, 0, 1), (2, 1, 1), (3, 0, 1), (3, 1, 1), (4, 0, 0),
                     (4, 1, 0), (4, 2, 0)):
         raise Damaged("another coder than 1 to 4")
     head, stored, payload = data[4:at], data[at:at + 4], data[at + 4:]

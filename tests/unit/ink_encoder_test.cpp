@@ -74,6 +74,8 @@ TEST(Efforts, StandardHasDeepTurnsForDrawingsOfFewSteps) {
   const auto full = of(codec::kCoderContours, codec::kContourStandard);
   EXPECT_TRUE(small(coder_of(upright_strokes(400, 400, 200, 60))));
   EXPECT_TRUE(full(coder_of(tiles(600))));
+  // However empty: that of a megapixel is to be read at once.
+  EXPECT_TRUE(full(coder_of(*Bitmap::create(1000, 1000))));
 }
 
 TEST(Efforts, StandardTakesTheQuickWaysForScansThatDoNotRepeat) {
